@@ -1,0 +1,222 @@
+"""The command `similitude`: reads arguments, calls one function a command, sets the exit code.
+
+Exit codes: 0 it ran, whatever the verdict; 2 the command cannot be carried out as written; 3 some
+log or the vehicle file cannot be used. Only the standard library and typer are imported at the top,
+so that `--help` answers at once.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from similitude.cli_usage import (
+    ESTIMATORS,
+    check_estimator,
+    no_such_vehicle,
+    no_vehicle,
+    out_is_a_file,
+    read_mapping,
+)
+from similitude.errors import SimilitudeError, UsageError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+RAN, USAGE, BAD_INPUT = 0, 2, 3
+
+app = typer.Typer(
+    help="Identify physical systems with the fewest unknowns physics allows.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    """Run the command and leave with its exit code; errors of ours become messages on stderr.
+
+    Parameters
+    ----------
+    arguments : sequence of str, optional
+        The words after `similitude`; those of the process when left out.
+
+    Raises
+    ------
+    SystemExit
+        Always: 0 ran, 2 usage, 3 an input that cannot be used.
+    """
+    with contextlib.suppress(ValueError):  # not in the main thread
+        # As an exception, so that half-written files are cleared away.
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):  # a terminal without Greek letters shows "?"
+            stream.reconfigure(errors="replace")
+    try:
+        app(args=None if arguments is None else list(arguments), prog_name="similitude")
+    except SimilitudeError as error:
+        _complain(error)
+        raise SystemExit(_exit_code(error)) from None
+
+
+@app.command()
+def identify(
+    logs: Annotated[
+        list[Path], typer.Argument(metavar="LOG...", help="Driving logs, CSV or Parquet.")
+    ],
+    vehicle: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.toml", help="Vehicle file; start one with `vehicle --new`."),
+    ] = None,
+    estimator: Annotated[
+        str, typer.Option(metavar="|".join(ESTIMATORS), help="How to estimate.")
+    ] = "population",
+    renamed: Annotated[
+        list[str] | None,
+        typer.Option("--map", metavar="delta=SWA", help="Our name = the log's name; repeatable."),
+    ] = None,
+    out: Annotated[
+        str | None,
+        typer.Option(
+            metavar="DIR",
+            help="Folder for the results; several logs get DIR/<stem> each.",
+            show_default="similitude-out/<stem>",
+        ),
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print one line of JSON a log instead of the page.")
+    ] = False,
+) -> None:
+    """Tell from driving logs how stiff the tyres are, and how sure that is."""
+    mapping = read_mapping(renamed or ())
+    check_estimator(estimator)
+    if vehicle is None:
+        raise no_vehicle(logs)
+    if not vehicle.is_file():
+        raise no_such_vehicle(vehicle, logs)
+    if out is not None and Path(out).is_file():
+        raise out_is_a_file(out)
+    raise typer.Exit(_identify(logs, vehicle, estimator, mapping, out=out, as_json=as_json))
+
+
+@app.command()
+def vehicle(
+    new: Annotated[bool, typer.Option("--new", help="Print a commented vehicle file.")] = False,
+) -> None:
+    """Start a vehicle file: `similitude vehicle --new > car.toml`."""
+    if not new:
+        raise UsageError(
+            "`similitude vehicle` was given nothing to do",
+            usually="a new vehicle file is wanted: --new prints one, with a comment on each line.",
+            paste="similitude vehicle --new > car.toml",
+            read='docs/vehicle.md, "The vehicle file"',
+        )
+    from similitude.vehicle_file import NEW_VEHICLE
+
+    typer.echo(NEW_VEHICLE.rstrip("\n"))
+
+
+def _print_version(wanted: bool) -> None:
+    if not wanted:
+        return
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        typer.echo(f"similitude {version('similitude')}")
+    except PackageNotFoundError:
+        typer.echo("similitude, run from its source without being installed")
+    raise typer.Exit(RAN)
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version and leave."
+        ),
+    ] = False,
+) -> None:
+    """Take the options that stand before a command."""
+
+
+def _identify(
+    logs: Sequence[Path], vehicle: Path, estimator: str, mapping: dict[str, str], *,
+    out: str | None, as_json: bool,
+) -> int:  # fmt: skip
+    """Identify each log by itself; one that fails does not stop the others."""
+    from rich.console import Console
+
+    from similitude.report.files import directories
+    from similitude.report.progress import ProgressBar
+    from similitude.vehicle_file import read_vehicle
+
+    car = read_vehicle(vehicle)
+    page = Console(highlight=False)
+    worst = RAN
+    with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar:
+        for log, directory in zip(logs, directories(logs, out), strict=True):
+            try:
+                record, run = _identify_one(log, car, estimator, mapping, directory, bar)
+            except SimilitudeError as error:
+                with bar.aside():
+                    _complain(error)
+                worst = max(worst, _exit_code(error))
+                continue
+            with bar.aside():
+                _show(record, run, page, as_json=as_json)
+    return worst
+
+
+def _identify_one(log, car, estimator, mapping, directory, bar) -> tuple[dict, object]:
+    """Read, estimate and write one log; its summary and its run."""
+    from similitude.log import read_log
+    from similitude.report.files import write_report
+    from similitude.report.summary import summary
+    from similitude.run import identify as identify_log
+
+    steps_before = bar.done
+    try:
+        bar.begin(f"{log.name}: reading")
+        read = read_log(log, vehicle=car, mapping=mapping)
+        bar.begin(f"{log.name}: estimating")
+        run = identify_log(read, car, estimator=estimator)
+        bar.begin(f"{log.name}: drawing")
+        return summary(run, write_report(run, directory)), run
+    finally:
+        bar.finish_to(steps_before + 3)
+
+
+def _show(record: dict, run, page: Console, *, as_json: bool) -> None:
+    from similitude.report.summary import json_line
+    from similitude.report.terminal import print_run
+
+    if as_json:
+        typer.echo(json_line(record))
+    else:
+        print_run(run, page, files=record["files"])
+
+
+def _complain(error: SimilitudeError) -> None:
+    """Print the four parts on stderr, unbroken so that the line to paste can be pasted."""
+    from rich.console import Console
+    from rich.text import Text
+
+    text = Text(str(error))
+    text.stylize("bold red", 0, str(error).find(":"))
+    Console(stderr=True, highlight=False, soft_wrap=True).print(text)
+
+
+def _exit_code(error: SimilitudeError) -> int:
+    return USAGE if isinstance(error, UsageError) else BAD_INPUT
+
+
+if __name__ == "__main__":
+    main()

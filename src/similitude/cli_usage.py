@@ -1,0 +1,109 @@
+"""What can be wrong with the command line itself, each with the line that would have worked."""
+
+from __future__ import annotations
+
+import difflib
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
+
+from similitude.errors import UsageError
+
+ESTIMATORS = ("population", "paper")
+NOT_BUILT_YET = ("band", "output_error", "robust", "batch")
+
+
+def read_mapping(pairs: Sequence[str]) -> dict[str, str]:
+    """Turn `delta=SWA` into {"delta": "SWA"}.
+
+    Parameters
+    ----------
+    pairs : sequence of str
+        What each `--map` was given.
+
+    Returns
+    -------
+    dict of str to str
+        Our column name to the log's.
+
+    Raises
+    ------
+    UsageError
+        No `=`, an empty side, or one of our names twice.
+    """
+    mapping: dict[str, str] = {}
+    for pair in pairs:
+        ours, equals, theirs = (part.strip() for part in pair.partition("="))
+        if not (ours and equals and theirs) or ours in mapping:
+            again = f" a second time ('{mapping[ours]}' and '{theirs}')" if ours in mapping else ""
+            raise UsageError(
+                f"--map '{pair}' does not name one column of the log{again}",
+                usually="the sign = is missing, a side is empty, or one name was mapped twice; "
+                "our name stands left, the log's right.",
+                paste="--map delta=SWA",
+                read='docs/logs.md, "Columns"',
+            )
+        mapping[ours] = theirs
+    return mapping
+
+
+def check_estimator(name: str) -> None:
+    """Refuse an estimator that does not exist, naming those that do.
+
+    Parameters
+    ----------
+    name : str
+        What `--estimator` was given.
+
+    Raises
+    ------
+    UsageError
+        It is not known, or planned and not built yet.
+    """
+    if name in ESTIMATORS:
+        return
+    near = difflib.get_close_matches(name, ESTIMATORS, n=1)
+    planned = name in NOT_BUILT_YET
+    raise UsageError(
+        f"--estimator '{name}' {'is planned but not built yet' if planned else 'is not known'}; "
+        f"there are {' and '.join(ESTIMATORS)}",
+        usually="the default is what is wanted: the population filter, which needs no tuning.",
+        paste=f"--estimator {near[0] if near else ESTIMATORS[0]}",
+        read='docs/identify.md, "The command"',
+    )
+
+
+def no_vehicle(logs: Sequence[Path]) -> UsageError:
+    """Say that the wheelbase is needed, with the command that supplies it."""
+    return UsageError(
+        "no vehicle file was given (--vehicle), so the wheelbase L is not known",
+        usually="it was left out because mass and stiffness are not needed; they are not, but the "
+        "wheelbase is: it sets the scale of time, L/U.",
+        paste=f"echo 'L = \"2.69 m\"' > car.toml && {_command(logs)} --vehicle car.toml",
+        read='docs/vehicle.md, "The vehicle file"',
+    )
+
+
+def no_such_vehicle(vehicle: Path, logs: Sequence[Path]) -> UsageError:
+    """Say that the vehicle file is not there, with the command that starts one."""
+    return UsageError(
+        f"--vehicle '{vehicle}': there is no such file (looked in {Path.cwd()})",
+        usually="the path is that of another folder, or the file has yet to be written.",
+        paste=f"similitude vehicle --new > {shlex.quote(str(vehicle))}",
+        read='docs/vehicle.md, "The vehicle file"',
+    )
+
+
+def out_is_a_file(out: str) -> UsageError:
+    """Say that the results need a folder."""
+    return UsageError(
+        f"--out '{out}' is a file; the results need a folder",
+        usually="the name of one result was meant; all of them go into one folder together.",
+        paste=f"--out {shlex.quote(str(Path(out).with_suffix('')) + '-results')}",
+        read='docs/identify.md, "Files"',
+    )
+
+
+def _command(logs: Sequence[Path]) -> str:
+    shown = [str(log) for log in logs[:3]]
+    return "similitude identify " + shlex.join(shown) + (" ..." if len(logs) > 3 else "")

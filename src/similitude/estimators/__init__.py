@@ -1,0 +1,1 @@
+"""Estimators as step programs, each derived from a Model, its groups and its reduction."""

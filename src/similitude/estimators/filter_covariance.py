@@ -1,0 +1,310 @@
+"""Time update and measurement update of the population filter, on the covariance of its coordinates.
+
+Invariant: an unknown that is held or only considered keeps its variance (its gain is zero), while
+what it does to the others is still accounted for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.program.ir import Assign, Statement, When
+from similitude.program.symmetric import Shared, column, predict, reduce_by
+from similitude.reduction import Unknown
+from similitude.sampling import ImplicitStep
+from similitude.status import STATUS
+
+
+def S(name: str) -> sp.Symbol:
+    """The real symbol of that name."""
+    return sp.Symbol(name, real=True)
+
+
+dt = S("dt")
+
+
+def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -> list[Statement]:
+    """Covariance over one step, and the pull of the first unknown towards its prior."""
+    at = {name: i for i, name in enumerate(layout.coordinates)}
+    target = layout.target
+    lines: list[Statement] = [
+        Assign("keep_w", sp.Max(0, 1 - dt * S("disturbance_rate"))),
+        Assign("w_nominal", _disturbance_variance(layout), "nominal variance of the disturbance"),
+        Assign("move", sp.Integer(0)),
+        Assign("diffusion", S("drift")),
+        When(
+            S("excited") < sp.Rational(1, 2),
+            tuple(_pull(layout)),
+            (),
+            "nothing heard: it may have changed, and the population is the best guess",
+        ),
+    ]
+    rows: dict[int, dict[int, sp.Expr]] = {}
+    for i, name in enumerate(layout.fast):
+        row = {at[k]: S(f"F_{name}_{k}") for k in layout.fast}
+        lines += [
+            Assign(f"F_{name}_{k}", step.by_state[i, j] * ratios[j])
+            for j, k in enumerate(layout.fast)
+        ]
+        row |= {at[u]: step.by_parameter[u][i] for u in layout.unknowns}
+        rows[at[name]] = row
+    added = S("disturbance_scale") * S("w_nominal") * (1 - S("keep_w") * S("keep_w"))
+    lines += predict(
+        layout.covariance,
+        rows,
+        Shared(
+            {
+                at[DISTURBANCE]: sp.Integer(1),
+                at[OFFSET]: sp.Integer(1),
+                at[INPUT_SCALE]: S("steer"),
+            },
+            {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
+        ),
+        decay={at[DISTURBANCE]: S("keep_w")},
+        noise={
+            at[DISTURBANCE]: added,
+            at[target]: dt
+            * (S("diffusion") + S("jump_drift") * sp.Max(0, S("surprise") - S("surprise_limit"))),
+            at[BIAS]: S("bias_drift") * dt,
+        },
+    )
+    lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
+    return lines
+
+
+def _pull(layout: Layout) -> list[Statement]:
+    """Pull of the first unknown's coordinate towards its prior, without a logarithm.
+
+    ln x = 2 artanh z with z = (x - 1)/(x + 1) = p/q; the Pade form of artanh is good to 0.3 % for x
+    between 1/4 and 4.
+    """
+    unknown, P = layout.reduction.unknowns[0], layout.covariance
+    t = layout.coordinates.index(unknown.name)
+    x, x0 = unknown.symbol, S(f"{unknown.name}_prior")
+    p, q, pp, qq = S("p"), S("q"), S("pp"), S("qq")
+    logarithm = [
+        Assign("p", x - x0),
+        Assign("q", x + x0),
+        Assign("pp", p * p),
+        Assign("qq", q * q),
+        Assign("away", 2 * p * (15 * qq - 4 * pp) / (q * (15 * qq - 9 * pp)), f"ln({x}/{x0})"),
+    ]
+    return [
+        Assign("diffusion", S("idle_drift")),
+        Assign("lost", sp.Min(1, dt * S("idle_drift") * S("prior_information") / 2)),
+        Assign("keep", 1 - S("lost")),
+        *(Assign(P.target(t, j), P[t, j] * S("keep")) for j in range(P.n)),
+        Assign(P.target(t, t), P[t, t] * S("keep")),
+        *(logarithm if unknown.kind == "log" else [Assign("away", x - x0)]),
+        Assign("move", -S("lost") * S("away")),
+    ]
+
+
+def _disturbance_variance(layout: Layout) -> sp.Expr:
+    floor, share = S("disturbance_floor"), S("disturbance_share")
+    relative = share * S("inv_output_scale")
+    return floor * floor + relative * relative * S("activity")
+
+
+def measurement(layout: Layout) -> list[Statement]:
+    """Predict the output and, where the sample is usable, update everything by the innovation."""
+    groups = layout.reduction.groups
+    states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
+    output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
+    at = {name: i for i, name in enumerate(layout.coordinates)}
+    H: dict[int, sp.Expr] = {}
+    for name in layout.fast:
+        slope = S("output_scale") * output.diff(S(name))
+        if slope != 0:
+            H[at[name]] = slope
+    for u in layout.reduction.unknowns:
+        slope = S("output_scale") * output.diff(u.symbol) * u.jacobian
+        if slope != 0:
+            H[at[u.name]] = slope
+    H[at[BIAS]] = sp.Integer(1)
+    speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
+    model_part = S("output_scale") * output
+    share = S("structure_share") * S("structure_share")
+    dependent = sp.Max(1, 2 * S("structure_time") * S("inv_dt"))
+    timing = S("timing_error") * S("output_rate")
+    lines: list[Statement] = [
+        Assign("response", model_part, "output of the model"),
+        Assign("predicted", S("response") + S(BIAS)),
+        Assign("output_rate", speed),
+        Assign(
+            "activity",
+            S("activity") + _share("activity_rate") * (S("response") ** 2 - S("activity")),
+        ),
+        Assign(
+            "noise",
+            S("noise_scale")
+            * (S("noise_variance") + timing**2 + share * S("activity") * dependent),
+            "variance of the measurement",
+        ),
+        *_validity(layout, states),
+    ]
+    lines.append(
+        When(S("usable") > sp.Rational(1, 2), tuple(_update(layout, H)), (), "measurement")
+    )
+    lines += _move(layout.reduction.unknowns[0], "move")
+    return lines
+
+
+def _validity(layout: Layout, states: Mapping[sp.Symbol, sp.Symbol]) -> list[Statement]:
+    groups = layout.reduction.groups
+    if groups.model.validity is None:
+        return []
+    physical = {q.symbol: groups.scale[q.name] * states[q.symbol] for q in groups.model.states}
+    signal = layout.inverted(groups.model.validity[0].subs(physical, simultaneous=True))
+    return [
+        Assign("validity_now", signal, groups.model.validity[1].meaning),
+        Assign("validity_then", S("validity") * (1 - _share("validity_rate"))),
+        Assign("validity_square", S("validity_now") ** 2),
+        Assign("validity", sp.Max(S("validity_square"), S("validity_then"))),
+    ]
+
+
+def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
+    """Kalman update with a bounded innovation; unknowns are held while nothing excites them."""
+    P = layout.covariance
+    names = layout.coordinates
+    t = names.index(layout.target)
+    lines: list[Statement] = list(column(P, H, "c"))
+    total = sp.Add(*(entry * S(f"c_{k}") for k, entry in H.items())) + S("noise")
+    nu = S("innovation")
+    lines += [
+        Assign("innovation", S("measured") - S("predicted")),
+        Assign("innovation_variance", total),
+        Assign("inv_spread", 1 / S("innovation_variance")),
+        Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
+        When(
+            S("nis") > S("outlier_ratio"),
+            (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
+            (),
+            "an outlier counts for less",
+        ),
+        Assign("inv_P", 1 / P[t, t]),
+        Assign("sensitivity", S(f"c_{t}") * S("inv_P"), f"of the output to ln {layout.target}"),
+        Assign(
+            "excitation",
+            S("excitation") + _share("excitation_rate") * (S("sensitivity") ** 2 - S("excitation")),
+        ),
+        Assign(
+            "excited",
+            sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
+        ),
+        Assign(
+            "surprise",
+            S("surprise") + _share("surprise_rate") * (sp.Min(S("nis"), 9) - S("surprise")),
+            "recent mean of the normalised innovation squared",
+        ),
+        Assign("learn", S("excited") * S("inv_spread")),
+        Assign(
+            "learn_slow",
+            sp.Piecewise((S("learn"), S("surprise") < S("surprise_limit")), (0, True)),
+            "a jump is not blamed on what cannot jump",
+        ),
+    ]
+    gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
+    weight = {n: "learn_slow" for n in layout.unknowns} | {layout.target: "learn"}
+    lines += [
+        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread")))
+        for i, gain in gains.items()
+    ]
+    gained = S("gained")
+    lines += [
+        Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
+        Assign(
+            "information",
+            S("information") + gained * (1 + gained) * S("inv_P"),
+            "1/variance gained",
+        ),
+    ]
+    order = {"inv_spread": 0, "learn": 1, "learn_slow": 2}
+    lines += reduce_by(P, gains, {i: order[weight.get(names[i], "inv_spread")] for i in gains}, "c")
+    lines += _state_update(layout, gains)
+    lines += _adapt(layout)
+    return lines
+
+
+def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
+    nu = S("innovation")
+    lines: list[Statement] = []
+    kinds = {u.name: u for u in layout.reduction.unknowns}
+    for i, gain in gains.items():
+        name = layout.coordinates[i]
+        if name == layout.target:
+            lines.append(Assign("move", S("move") + gain * nu))
+        elif name in kinds and kinds[name].kind == "log":
+            lines.append(Assign(f"move_{name}", gain * nu))
+            lines += _move(kinds[name], f"move_{name}")
+        else:
+            lines.append(Assign(name, S(name) + gain * nu))
+    return lines
+
+
+def _move(unknown: Unknown, by: str) -> list[Statement]:
+    """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
+    if unknown.kind == "linear":
+        return [Assign(unknown.name, unknown.symbol + S(by))]
+    bounded = S(f"bounded_{by}")
+    return [
+        Assign(f"above_{by}", sp.Max(S(by), -1)),
+        Assign(bounded.name, sp.Min(S(f"above_{by}"), 1)),
+        Assign(unknown.name, unknown.symbol * _exponential(bounded)),
+    ]
+
+
+def _exponential(x: sp.Symbol) -> sp.Expr:
+    """exp to third order, without a division; positive for |x| <= 1."""
+    return 1 + x * (1 + x * (sp.Rational(1, 2) + x / 6))
+
+
+def _limit(name: str) -> list[Assign]:
+    """Keep a state between its configured limits."""
+    return [
+        Assign(name, sp.Max(S(name), S(f"{name}_low"))),
+        Assign(name, sp.Min(S(name), S(f"{name}_high"))),
+    ]
+
+
+def _share(rate: str) -> sp.Expr:
+    """Weight of the newest value in an average of the given rate."""
+    return sp.Min(1, dt * S(rate))
+
+
+def _adapt(layout: Layout) -> list[Statement]:
+    """The sizes of noise and disturbance follow the innovations; the status says how it went."""
+    P = layout.covariance
+    w = layout.coordinates.index(DISTURBANCE)
+    at, change, settling = S("disturbance_scale"), S("noise_change"), S("settling")
+    expected, seen = S("expected"), S("seen")
+    unseen = sp.Max(expected - P[w, w], S("observed_least") * expected)
+    lines: list[Statement] = [
+        Assign(
+            "settling",
+            sp.Max(S("noise_adapt"), settling - dt * settling * settling),
+            "1/time at first",
+        ),
+        Assign("noise_change", _share("settling") * (sp.Min(S("nis"), 9) - 1)),
+        Assign("noise_scale", S("noise_scale") * _exponential(change)),
+        *_limit("noise_scale"),
+        Assign("expected", at * S("w_nominal"), "disturbance variance expected"),
+        Assign("seen", sp.Min(S(DISTURBANCE) ** 2 + P[w, w], 9 * expected), "and seen"),
+        Assign("unseen", unseen),
+        Assign(
+            "disturbance_scale",
+            at + _share("disturbance_adapt") * (seen - expected) * at / S("unseen"),
+        ),
+        *_limit("disturbance_scale"),
+        When(
+            S("excited") < sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["not_excited"])),)
+        ),
+    ]
+    if layout.reduction.groups.model.validity is not None:
+        outside = S("validity") > S("validity_limit") ** 2
+        lines.append(When(outside, (Assign("status", sp.Integer(STATUS["outside_linear"])),)))
+    return lines

@@ -1,0 +1,239 @@
+"""The structs of a population filter: what it is told, what it remembers, what it hands out.
+
+Invariant: every field is a plain real, so a struct is an array of reals that can be saved,
+compared and restored; the names follow from the Reduction alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from similitude.model import Quantity
+from similitude.program.ir import Field
+from similitude.program.symmetric import Symmetric
+from similitude.reduction import Reduction
+
+DISTURBANCE, OFFSET, BIAS = "disturbance", "input_offset", "output_bias"
+INPUT_SCALE = "input_scale"
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Order of the filter's states and the names of everything around them."""
+
+    reduction: Reduction
+
+    @property
+    def fast(self) -> tuple[str, ...]:
+        """Dynamic states, dimensionless."""
+        return tuple(f"{q.name}_star" for q in self.reduction.groups.model.states)
+
+    @property
+    def unknowns(self) -> tuple[str, ...]:
+        """Slow unknowns, the one to identify first."""
+        return tuple(u.name for u in self.reduction.unknowns)
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """All n filter states in the order of the covariance."""
+        return (*self.fast, DISTURBANCE, *self.unknowns, INPUT_SCALE, OFFSET, BIAS)
+
+    @property
+    def considered(self) -> tuple[str, ...]:
+        """Coordinates that stay at their prior, whose uncertainty is carried along."""
+        return (*(u.name for u in self.reduction.unknowns if u.role == "consider"), INPUT_SCALE)
+
+    @property
+    def covariance(self) -> Symmetric:
+        """Covariance of the coordinates; logarithms of positive unknowns."""
+        return Symmetric("P", len(self.coordinates))
+
+    @property
+    def prior(self) -> Symmetric:
+        """Prior covariance of the slow unknowns."""
+        return Symmetric("P_prior", len(self.unknowns))
+
+    @property
+    def target(self) -> str:
+        """The unknown to identify."""
+        return self.unknowns[0]
+
+    @property
+    def input(self) -> Quantity:
+        """The driven input."""
+        return self.reduction.groups.model.inputs[0]
+
+    @property
+    def output(self) -> Quantity:
+        """The measured output."""
+        return self.reduction.groups.model.outputs[0]
+
+    @property
+    def signals(self) -> tuple[Quantity, ...]:
+        """Scales that are measured and may change from sample to sample."""
+        model = self.reduction.groups.model
+        return tuple(model.quantity(name) for name in model.signals)
+
+    @property
+    def scales(self) -> tuple[Quantity, ...]:
+        """Known constant scales that the step needs."""
+        groups = self.reduction.groups
+        units = [groups.time_scale, *(groups.scale[q.name] for q in groups.model.states)]
+        units += [groups.scale[self.output.name], groups.scale[self.input.name]]
+        used = {s.name for e in units for s in sp.sympify(e).free_symbols}
+        used |= {s.name for e in self.reduction.rates.values() for s in e.free_symbols}
+        return tuple(
+            groups.model.quantity(n) for n in groups.base if n in used - set(groups.model.signals)
+        )
+
+    def at(self, name: str) -> sp.Symbol:
+        """The scale of that name as the step uses it now."""
+        signals = self.reduction.groups.model.signals
+        return sp.Symbol(f"at_{name}" if name in signals else name, real=True)
+
+    def inverse(self, name: str) -> sp.Symbol:
+        """The reciprocal of a scale, taken once a step."""
+        return sp.Symbol(f"inv_{name}", real=True)
+
+    def inverted(self, expression: sp.Expr) -> sp.Expr:
+        """The expression with reciprocals of scales in place of divisions by them."""
+        names = [q.name for q in (*self.signals, *self.scales)]
+        expression = sp.sympify(expression)
+        for name in names:
+            scale = sp.Symbol(name, real=True)
+            expression = expression.replace(
+                lambda e, scale=scale: e.is_Pow and e.base == scale and e.exp.is_negative,
+                lambda e, name=name: self.inverse(name) ** (-e.exp),
+            ).xreplace({scale: self.at(name)})
+        return expression
+
+
+def config_fields(layout: Layout) -> tuple[Field, ...]:
+    """What the filter is told once: scales, prior, sensor, and the design constants."""
+    i, o, t = layout.input, layout.output, layout.target
+    priors = [
+        Field(f"{u.name}_prior", u.unit, f"prior of {u.meaning}") for u in layout.reduction.unknowns
+    ]
+    limits = [
+        Field(f"{u.name}_{side}", u.unit, f"{side}est value the population allows")
+        for u in layout.reduction.unknowns
+        for side in ("low", "high")
+    ]
+    return (
+        *(Field(q.name, q.unit, q.meaning) for q in layout.scales),
+        *priors,
+        layout.prior.field("-", "prior covariance of the unknowns' coordinates, upper triangle"),
+        Field("prior_information", "-", f"1/prior variance of ln {t}"),
+        *limits,
+        Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
+        Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
+        Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}"),
+        *(Field(f"{name}_sd", "-", "sd after a restart") for name in layout.fast),
+        Field("noise_variance", f"({o.unit})^2", f"white noise of {o.name} a sample"),
+        Field("drift", "1/s", f"diffusion of ln {t} while it is observed"),
+        Field("idle_drift", "1/s", f"diffusion of ln {t} while nothing is heard of it"),
+        Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
+        Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias"),
+        Field("timing_error", "s", "timing error between input and output"),
+        Field("structure_share", "-", "structural error as a share of the output's activity"),
+        Field("structure_time", "s", "correlation time of the structural error"),
+        Field("activity_rate", "1/s", "averaging rate of the output's activity"),
+        Field("disturbance_floor", i.unit, "disturbance at rest, equivalent input"),
+        Field("disturbance_share", "-", "disturbance as a share of the dimensionless activity"),
+        Field("disturbance_rate", "1/s", "1/correlation time of the disturbance"),
+        Field("disturbance_adapt", "1/s", "adaptation rate of the disturbance's size"),
+        Field("disturbance_scale_start", "-", "disturbance variance against nominal at the start"),
+        Field("disturbance_scale_low", "-", "least disturbance variance against nominal"),
+        Field("disturbance_scale_high", "-", "greatest disturbance variance against nominal"),
+        Field("noise_adapt", "1/s", "adaptation rate of the noise's size in the long run"),
+        Field("noise_scale_low", "-", "least noise variance against nominal"),
+        Field("noise_scale_high", "-", "greatest noise variance against nominal"),
+        Field("excitation_ratio", "-", "least variance of sensitivity against noise to learn from"),
+        Field("excitation_rate", "1/s", "averaging rate of the excitation"),
+        Field("surprise_rate", "1/s", "averaging rate of the normalised innovation"),
+        Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
+        Field("observed_least", "-", "least share of the disturbance taken as observed"),
+        Field(
+            "outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"
+        ),
+        Field("gap", "s", "longest time without a usable sample before a restart"),
+        Field("input_limit", i.unit, f"greatest believable {i.name}"),
+        Field("output_limit", o.unit, f"greatest believable {o.name}"),
+        Field(
+            "signal_limit",
+            layout.signals[0].unit if layout.signals else "-",
+            "greatest believable scale",
+        ),
+        Field("validity_limit", _validity_unit(layout), "edge of the model's linear range"),
+        Field(
+            "validity_rate", "1/s", "decay rate of the memory of a visit outside the linear range"
+        ),
+    )
+
+
+def _validity_unit(layout: Layout) -> str:
+    validity = layout.reduction.groups.model.validity
+    return validity[1].unit if validity else "-"
+
+
+def state_fields(layout: Layout) -> tuple[Field, ...]:
+    """What the filter remembers between samples."""
+    i, o = layout.input, layout.output
+    return (
+        *(Field(name, "-", "dimensionless state") for name in layout.fast),
+        Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
+        *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
+        Field(OFFSET, i.unit, f"offset of {i.name}"),
+        Field(BIAS, o.unit, f"bias of {o.name}"),
+        layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
+        Field("noise_scale", "-", "noise variance against nominal"),
+        Field("disturbance_scale", "-", "disturbance variance against nominal"),
+        Field("activity", f"({o.unit})^2", "mean square of the predicted output"),
+        Field("settling", "1/s", "adaptation rate of the noise's size now, fast at first"),
+        Field("surprise", "-", "recent mean of the normalised innovation squared"),
+        Field("excitation", f"({o.unit})^2", "mean square sensitivity to the first unknown"),
+        Field("excited", "-", "1 while the input excites the first unknown, else 0"),
+        Field(
+            "validity",
+            f"({_validity_unit(layout)})^2",
+            "recent peak of the validity signal, squared",
+        ),
+        Field("information", "-", f"information gained about ln {layout.target}"),
+        Field("last_input", i.unit, "input of the sample before"),
+        *(
+            Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before")
+            for q in layout.signals
+        ),
+        Field("age", "s", "time since the last usable sample"),
+        Field("started", "-", "0 before the first usable sample, 1 after"),
+    )
+
+
+def sample_fields(layout: Layout) -> tuple[Field, ...]:
+    """One row of a log."""
+    i, o = layout.input, layout.output
+    return (
+        Field("dt", "s", "time since the sample before"),
+        Field("input", i.unit, i.meaning),
+        *(Field(q.name, q.unit, q.meaning) for q in layout.signals),
+        Field("measured", o.unit, f"measured {o.meaning}"),
+    )
+
+
+def output_fields(layout: Layout) -> tuple[Field, ...]:
+    """What each step hands out; always finite."""
+    u, o = layout.reduction.unknowns[0], layout.output
+    return (
+        Field("estimate", u.unit, u.meaning),
+        Field(
+            "variance",
+            "-",
+            f"variance of ln {u.name}" if u.kind == "log" else f"variance of {u.name}",
+        ),
+        Field("predicted", o.unit, f"{o.meaning} predicted before the measurement"),
+        Field("innovation", o.unit, "measured minus predicted; 0 without a measurement"),
+        Field("innovation_variance", f"({o.unit})^2", "variance of the innovation"),
+        Field("information_gained", "-", f"information gained about ln {u.name} so far"),
+    )

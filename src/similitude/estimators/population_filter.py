@@ -1,0 +1,296 @@
+"""The population filter: an extended Kalman filter in log groups with the population as prior.
+
+State: dimensionless dynamics, a disturbance (equivalent input), the slow unknowns of a Reduction,
+an input offset and an output bias. Positive unknowns are stored themselves, their covariance is
+that of the logarithm, and they move by K <- K (2 + d)/(2 - d), |d| <= 1.
+
+Rules the noise follows: no floor in the process noise of the dynamics; model error goes into the
+measurement variance and into the disturbance, whose sizes adapt to the innovations; the unknowns
+are held while their sensitivity is below the noise it is weighed against.
+
+Invariant: whatever the sample holds, every state stays finite and the variances positive.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from similitude.estimators import filter_covariance as cov
+from similitude.estimators import filter_fields as ff
+from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.program.ir import Assign, Field, Program, Statement, When
+from similitude.reduction import Reduction
+from similitude.sampling import implicit_step
+from similitude.status import STATUS
+
+LEAST_SCALE = sp.Rational(1, 20)  # keeps the step finite; far below where the dynamics show
+
+
+def S(name: str) -> sp.Symbol:
+    """The real symbol of that name."""
+    return sp.Symbol(name, real=True)
+
+
+def population_filter(reduction: Reduction) -> Program:
+    """Derive the filter's step program from a reduced model.
+
+    Parameters
+    ----------
+    reduction : Reduction    one input, one output, any number of states and unknowns.
+
+    Returns
+    -------
+    Program    config, state, sample and output structs; ``init`` and ``step``.
+
+    References
+    ----------
+    Brennan & Alleyne 2004, section 5, for the idea; the filter is this project's own.
+    """
+    layout = Layout(reduction)
+    model = reduction.groups.model
+    return Program(
+        name=f"{model.name}_population",
+        title=f"Population filter of the {model.name}",
+        provenance=(
+            f"model: {model.name}, {model.source}",
+            f"base: {', '.join(reduction.groups.base)}",
+            f"unknowns: {', '.join(u.name for u in reduction.unknowns)}",
+            f"coordinates: {', '.join(layout.coordinates)}",
+        ),
+        config=ff.config_fields(layout),
+        state=ff.state_fields(layout),
+        sample=ff.sample_fields(layout),
+        output=ff.output_fields(layout),
+        variables=_variables(layout),
+        init=tuple(_init(layout)),
+        step=tuple(_step(layout)),
+        status=STATUS,
+    )
+
+
+def _variables(layout: Layout) -> tuple[Field, ...]:
+    return (
+        Field("status", "-", "status code"),
+        Field("u_now", layout.input.unit, "input used now"),
+        *(Field(f"{q.name}_now", q.unit, "scale used now") for q in layout.signals),
+        Field("anew", "-", "1 where the dynamic state starts anew"),
+        Field("usable", "-", "1 where input, scale and measurement can be used"),
+        Field("diffusion", "1/s", "diffusion of the first unknown now"),
+        Field("inv_spread", "-", "1/variance the innovation counts with"),
+        Field("move", "-", "change of the first unknown's logarithm"),
+    )
+
+
+def _init(layout: Layout) -> list[Statement]:
+    """The state before the first sample: the prior."""
+    P, prior = layout.covariance, layout.prior
+    at = {name: i for i, name in enumerate(layout.coordinates)}
+    lines: list[Statement] = [Assign(name, sp.Integer(0)) for name in (*layout.fast, DISTURBANCE)]
+    lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
+    lines += [Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
+    lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
+    lines += [
+        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2)
+        for n in (*layout.fast, INPUT_SCALE, OFFSET, BIAS)
+    ]
+    lines += [
+        Assign(P.target(at[a], at[b]), prior[i, j])
+        for i, a in enumerate(layout.unknowns)
+        for j, b in enumerate(layout.unknowns)
+        if j >= i
+    ]
+    lines += [Assign(name, sp.Integer(1)) for name in ("noise_scale", "surprise", "settling")]
+    lines.append(Assign("disturbance_scale", S("disturbance_scale_start")))
+    names = [
+        "activity",
+        "excitation",
+        "excited",
+        "validity",
+        "information",
+        "last_input",
+        "age",
+        "started",
+    ]
+    names += [f"last_{q.name}" for q in layout.signals]
+    lines.append(
+        Assign(
+            P.target(at[DISTURBANCE], at[DISTURBANCE]),
+            S("disturbance_scale") * S("disturbance_floor") ** 2,
+        )
+    )
+    return lines + [Assign(name, sp.Integer(0)) for name in names]
+
+
+def _step(layout: Layout) -> list[Statement]:
+    dt = S("dt")
+    usable_time = sp.And(dt > 0, dt < 1e6)
+    return [
+        Assign("status", sp.Integer(STATUS["ok"])),
+        Assign("predicted", S(BIAS)),
+        Assign("innovation", sp.Integer(0)),
+        Assign("innovation_variance", S("noise_scale") * S("noise_variance")),
+        When(
+            usable_time,
+            (
+                *_gates(layout),
+                *_restart(layout),
+                *_dynamics(layout),
+                *_measure(layout),
+                *_after(layout),
+            ),
+            (Assign("status", sp.Integer(STATUS["bad_sample"])),),
+            "time must advance",
+        ),
+        Assign("estimate", S(layout.target)),
+        Assign("variance", layout.covariance[(len(layout.fast) + 1,) * 2]),
+        Assign("information_gained", S("information")),
+    ]
+
+
+def _within(x: sp.Symbol, limit: str) -> sp.Basic:
+    return sp.And(x > -S(limit), x < S(limit))
+
+
+def _gates(layout: Layout) -> list[Statement]:
+    """Hold the last input over a missing one; decide what the sample can be used for."""
+    signals = layout.signals
+    inputs_fine = sp.And(
+        _within(S("input"), "input_limit"), *(_within(q.symbol, "signal_limit") for q in signals)
+    )
+    now = [Assign("u_now", S("input"))] + [Assign(f"{q.name}_now", q.symbol) for q in signals]
+    held = [Assign("u_now", S("last_input"))]
+    held += [Assign(f"{q.name}_now", S(f"last_{q.name}")) for q in signals]
+    none = (Assign("usable", sp.Integer(0)), Assign("status", sp.Integer(STATUS["no_measurement"])))
+    return [
+        Assign("usable", sp.Integer(1)),
+        Assign("age", S("age") + S("dt")),
+        When(inputs_fine, tuple(now), (*held, *none), "a missing input or scale is held"),
+        When(sp.Not(_within(S("measured"), "output_limit")), none, (), "no measurement"),
+        When(
+            S("started") < 0.5,
+            (
+                Assign("last_input", S("u_now")),
+                *(Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in signals),
+            ),
+            (),
+            "first sample: no sample before it",
+        ),
+    ]
+
+
+def _live(layout: Layout) -> sp.Basic:
+    replace = {q.symbol: S(f"{q.name}_now") for q in layout.signals}
+    return layout.reduction.live.xreplace(replace)
+
+
+def _restart(layout: Layout) -> list[Statement]:
+    """After a gap, or while the scales hide the dynamics, nothing is known of the dynamic state."""
+    P = layout.covariance
+    dynamic = range(len(layout.fast) + 1)
+    zero = [Assign(P.target(i, j), sp.Integer(0)) for i in dynamic for j in range(i, P.n)]
+    wide = [Assign(P.target(i, i), S(f"{name}_sd") ** 2) for i, name in enumerate(layout.fast)]
+    w = len(layout.fast)
+    wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
+    wide.append(Assign(DISTURBANCE, sp.Integer(0)))
+    wide += [Assign("excitation", sp.Integer(0)), Assign("excited", sp.Integer(0))]
+    gap = sp.And(S("age") > S("gap"), S("started") > sp.Rational(1, 2))
+    return [
+        Assign("anew", sp.Piecewise((1, gap), (0, True)), "1 where the dynamic state starts anew"),
+        When(
+            gap,
+            (Assign("status", sp.Integer(STATUS["restarted"])),),
+            (),
+            "too long without a sample",
+        ),
+        When(
+            _live(layout),
+            (),
+            (
+                Assign("anew", sp.Integer(1)),
+                Assign("usable", sp.Integer(0)),
+                Assign("status", sp.Integer(STATUS["too_slow"])),
+            ),
+            "the dynamics cannot be seen",
+        ),
+        When(S("anew") > sp.Rational(1, 2), (*zero, *wide), (), "nothing is known of them"),
+    ]
+
+
+def _dynamics(layout: Layout) -> list[Statement]:
+    """Rescale by the changed scales, step, propagate the covariance."""
+    reduction, groups = layout.reduction, layout.reduction.groups
+    lines = _scales(layout)
+    for name, q in zip(layout.fast, groups.model.states, strict=True):
+        ratio = layout.inverted(
+            groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name]
+        )
+        lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
+        lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
+    lines.append(
+        Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends")
+    )
+    effective = S("steer") + S(OFFSET) + S(DISTURBANCE)
+    unit = layout.inverted(1 / groups.scale[layout.input.name])
+    lines.append(Assign("u", effective * unit, "effective input [-]"))
+    states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
+    replace = {**states, layout.input.symbol: S("u")}
+    rates = [
+        layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states
+    ]
+    chain = {u.name: u.jacobian for u in reduction.unknowns} | {"u": unit}
+    step = implicit_step(rates, [S(n) for n in layout.fast], parameters=chain)
+    lines += step.statements
+    lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
+    return lines + [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
+
+
+def _scales(layout: Layout) -> list[Statement]:
+    """Scales used now and before, kept off zero, with their reciprocals taken once."""
+    groups = layout.reduction.groups
+    lines: list[Statement] = []
+    for q in layout.signals:
+        lines.append(
+            Assign(f"at_{q.name}", sp.Max(S(f"{q.name}_now"), LEAST_SCALE), "kept off zero")
+        )
+        lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), LEAST_SCALE)))
+    lines += [
+        Assign(layout.inverse(q.name).name, 1 / layout.at(q.name))
+        for q in (*layout.signals, *layout.scales)
+    ]
+    output = layout.inverted(groups.scale[layout.output.name])
+    return [
+        *lines,
+        Assign("inv_dt", 1 / S("dt")),
+        Assign("output_scale", output, f"{layout.output.name} = scale x dimensionless"),
+        Assign("inv_output_scale", layout.inverted(1 / groups.scale[layout.output.name])),
+        Assign("h", S("dt") * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
+    ]
+
+
+def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
+    return {q.symbol: S(f"was_{q.name}") for q in layout.signals}
+
+
+def _measure(layout: Layout) -> list[Statement]:
+    return cov.measurement(layout)
+
+
+def _after(layout: Layout) -> list[Statement]:
+    """Remember this sample; keep every unknown inside what the population allows."""
+    lines: list[Statement] = []
+    hit = []
+    for u in layout.reduction.unknowns:
+        low, high = S(f"{u.name}_low"), S(f"{u.name}_high")
+        hit += [u.symbol < low, u.symbol > high]
+    clip = [
+        Assign(u.name, sp.Min(sp.Max(u.symbol, S(f"{u.name}_low")), S(f"{u.name}_high")))
+        for u in layout.reduction.unknowns
+    ]
+    at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
+    lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
+    lines.append(Assign("last_input", S("u_now")))
+    lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
+    lines.append(
+        When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1))))
+    )
+    return lines

@@ -1,0 +1,833 @@
+/* Population filter of the bicycle. Generated from its model by similitude; do not edit.
+ *
+ *   model: bicycle, Brennan & Alleyne 2004, eqs 1-4
+ *   base: m, L, U
+ *   unknowns: K, pi1, eta, rho
+ *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
+ *
+ * Operations: step 1037 at most, 3 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 77 reals, configuration 60 reals; no heap, no globals, no libm, C99.
+ * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
+ */
+
+#ifndef SIMILITUDE_REAL
+#define SIMILITUDE_REAL double
+#endif
+#ifndef SIMILITUDE_API
+#if defined(_WIN32)
+#define SIMILITUDE_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define SIMILITUDE_API __attribute__((visibility("default")))
+#else
+#define SIMILITUDE_API
+#endif
+#endif
+
+typedef SIMILITUDE_REAL bicycle_population_real;
+#define R(x) ((bicycle_population_real)(x))
+
+enum bicycle_population_status {
+    BICYCLE_POPULATION_OK = 0,
+    BICYCLE_POPULATION_NOT_EXCITED = 1,
+    BICYCLE_POPULATION_OUTSIDE_LINEAR = 2,
+    BICYCLE_POPULATION_AT_LIMIT = 3,
+    BICYCLE_POPULATION_NO_MEASUREMENT = 4,
+    BICYCLE_POPULATION_RESTARTED = 5,
+    BICYCLE_POPULATION_TOO_SLOW = 6,
+    BICYCLE_POPULATION_BAD_SAMPLE = 7
+};
+
+typedef struct bicycle_population_config {
+    bicycle_population_real L;                       /* [m] wheelbase */
+    bicycle_population_real K_prior;                 /* [m^2/s^2] prior of Caf L/m, front cornering stiffness per mass and length */
+    bicycle_population_real pi1_prior;               /* [-] prior of a/L, position of the centre of gravity */
+    bicycle_population_real eta_prior;               /* [-] prior of rear over front cornering coefficient; > 1 understeers */
+    bicycle_population_real rho_prior;               /* [-] prior of Iz/(m a b), yaw inertia ratio */
+    bicycle_population_real P_prior[10];             /* [-] prior covariance of the unknowns' coordinates, upper triangle */
+    bicycle_population_real prior_information;       /* [-] 1/prior variance of ln K */
+    bicycle_population_real K_low;                   /* [m^2/s^2] lowest value the population allows */
+    bicycle_population_real K_high;                  /* [m^2/s^2] highest value the population allows */
+    bicycle_population_real pi1_low;                 /* [-] lowest value the population allows */
+    bicycle_population_real pi1_high;                /* [-] highest value the population allows */
+    bicycle_population_real eta_low;                 /* [-] lowest value the population allows */
+    bicycle_population_real eta_high;                /* [-] highest value the population allows */
+    bicycle_population_real rho_low;                 /* [-] lowest value the population allows */
+    bicycle_population_real rho_high;                /* [-] highest value the population allows */
+    bicycle_population_real input_scale_sd;          /* [-] sd of the scale of delta, also that of the known scales */
+    bicycle_population_real input_offset_sd;         /* [rad] prior sd of the offset of delta */
+    bicycle_population_real output_bias_sd;          /* [rad/s] prior sd of the bias of r */
+    bicycle_population_real v_star_sd;               /* [-] sd after a restart */
+    bicycle_population_real r_star_sd;               /* [-] sd after a restart */
+    bicycle_population_real noise_variance;          /* [(rad/s)^2] white noise of r a sample */
+    bicycle_population_real drift;                   /* [1/s] diffusion of ln K while it is observed */
+    bicycle_population_real idle_drift;              /* [1/s] diffusion of ln K while nothing is heard of it */
+    bicycle_population_real jump_drift;              /* [1/s] further diffusion per unit of surprise above its limit */
+    bicycle_population_real bias_drift;              /* [(rad/s)^2/s] random walk of the output bias */
+    bicycle_population_real timing_error;            /* [s] timing error between input and output */
+    bicycle_population_real structure_share;         /* [-] structural error as a share of the output's activity */
+    bicycle_population_real structure_time;          /* [s] correlation time of the structural error */
+    bicycle_population_real activity_rate;           /* [1/s] averaging rate of the output's activity */
+    bicycle_population_real disturbance_floor;       /* [rad] disturbance at rest, equivalent input */
+    bicycle_population_real disturbance_share;       /* [-] disturbance as a share of the dimensionless activity */
+    bicycle_population_real disturbance_rate;        /* [1/s] 1/correlation time of the disturbance */
+    bicycle_population_real disturbance_adapt;       /* [1/s] adaptation rate of the disturbance's size */
+    bicycle_population_real disturbance_scale_start; /* [-] disturbance variance against nominal at the start */
+    bicycle_population_real disturbance_scale_low;   /* [-] least disturbance variance against nominal */
+    bicycle_population_real disturbance_scale_high;  /* [-] greatest disturbance variance against nominal */
+    bicycle_population_real noise_adapt;             /* [1/s] adaptation rate of the noise's size in the long run */
+    bicycle_population_real noise_scale_low;         /* [-] least noise variance against nominal */
+    bicycle_population_real noise_scale_high;        /* [-] greatest noise variance against nominal */
+    bicycle_population_real excitation_ratio;        /* [-] least variance of sensitivity against noise to learn from */
+    bicycle_population_real excitation_rate;         /* [1/s] averaging rate of the excitation */
+    bicycle_population_real surprise_rate;           /* [1/s] averaging rate of the normalised innovation */
+    bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_population_real observed_least;          /* [-] least share of the disturbance taken as observed */
+    bicycle_population_real outlier_ratio;           /* [-] squared innovation over its variance beyond which it is bounded */
+    bicycle_population_real gap;                     /* [s] longest time without a usable sample before a restart */
+    bicycle_population_real input_limit;             /* [rad] greatest believable delta */
+    bicycle_population_real output_limit;            /* [rad/s] greatest believable r */
+    bicycle_population_real signal_limit;            /* [m/s] greatest believable scale */
+    bicycle_population_real validity_limit;          /* [m/s^2] edge of the model's linear range */
+    bicycle_population_real validity_rate;           /* [1/s] decay rate of the memory of a visit outside the linear range */
+} bicycle_population_config;
+
+typedef struct bicycle_population_state {
+    bicycle_population_real v_star;                  /* [-] dimensionless state */
+    bicycle_population_real r_star;                  /* [-] dimensionless state */
+    bicycle_population_real disturbance;             /* [rad] disturbance as an equivalent delta */
+    bicycle_population_real K;                       /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    bicycle_population_real pi1;                     /* [-] a/L, position of the centre of gravity */
+    bicycle_population_real eta;                     /* [-] rear over front cornering coefficient; > 1 understeers */
+    bicycle_population_real rho;                     /* [-] Iz/(m a b), yaw inertia ratio */
+    bicycle_population_real input_offset;            /* [rad] offset of delta */
+    bicycle_population_real output_bias;             /* [rad/s] bias of r */
+    bicycle_population_real P[55];                   /* [-] covariance of the coordinates above, upper triangle by rows */
+    bicycle_population_real noise_scale;             /* [-] noise variance against nominal */
+    bicycle_population_real disturbance_scale;       /* [-] disturbance variance against nominal */
+    bicycle_population_real activity;                /* [(rad/s)^2] mean square of the predicted output */
+    bicycle_population_real settling;                /* [1/s] adaptation rate of the noise's size now, fast at first */
+    bicycle_population_real surprise;                /* [-] recent mean of the normalised innovation squared */
+    bicycle_population_real excitation;              /* [(rad/s)^2] mean square sensitivity to the first unknown */
+    bicycle_population_real excited;                 /* [-] 1 while the input excites the first unknown, else 0 */
+    bicycle_population_real validity;                /* [(m/s^2)^2] recent peak of the validity signal, squared */
+    bicycle_population_real information;             /* [-] information gained about ln K */
+    bicycle_population_real last_input;              /* [rad] input of the sample before */
+    bicycle_population_real last_U;                  /* [m/s] forward speed of the sample before */
+    bicycle_population_real age;                     /* [s] time since the last usable sample */
+    bicycle_population_real started;                 /* [-] 0 before the first usable sample, 1 after */
+} bicycle_population_state;
+
+typedef struct bicycle_population_sample {
+    bicycle_population_real dt;                      /* [s] time since the sample before */
+    bicycle_population_real input;                   /* [rad] road-wheel steer angle */
+    bicycle_population_real U;                       /* [m/s] forward speed */
+    bicycle_population_real measured;                /* [rad/s] measured yaw rate */
+} bicycle_population_sample;
+
+typedef struct bicycle_population_output {
+    bicycle_population_real estimate;                /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    bicycle_population_real variance;                /* [-] variance of ln K */
+    bicycle_population_real predicted;               /* [rad/s] yaw rate predicted before the measurement */
+    bicycle_population_real innovation;              /* [rad/s] measured minus predicted; 0 without a measurement */
+    bicycle_population_real innovation_variance;     /* [(rad/s)^2] variance of the innovation */
+    bicycle_population_real information_gained;      /* [-] information gained about ln K so far */
+} bicycle_population_output;
+
+/* The state before the first sample: the prior. */
+SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *config, bicycle_population_state *state)
+{
+    const bicycle_population_real K_prior = config->K_prior;
+    const bicycle_population_real pi1_prior = config->pi1_prior;
+    const bicycle_population_real eta_prior = config->eta_prior;
+    const bicycle_population_real rho_prior = config->rho_prior;
+    const bicycle_population_real P_prior_0 = config->P_prior[0];
+    const bicycle_population_real P_prior_1 = config->P_prior[1];
+    const bicycle_population_real P_prior_2 = config->P_prior[2];
+    const bicycle_population_real P_prior_3 = config->P_prior[3];
+    const bicycle_population_real P_prior_4 = config->P_prior[4];
+    const bicycle_population_real P_prior_5 = config->P_prior[5];
+    const bicycle_population_real P_prior_6 = config->P_prior[6];
+    const bicycle_population_real P_prior_7 = config->P_prior[7];
+    const bicycle_population_real P_prior_8 = config->P_prior[8];
+    const bicycle_population_real P_prior_9 = config->P_prior[9];
+    const bicycle_population_real input_scale_sd = config->input_scale_sd;
+    const bicycle_population_real input_offset_sd = config->input_offset_sd;
+    const bicycle_population_real output_bias_sd = config->output_bias_sd;
+    const bicycle_population_real v_star_sd = config->v_star_sd;
+    const bicycle_population_real r_star_sd = config->r_star_sd;
+    const bicycle_population_real disturbance_floor = config->disturbance_floor;
+    const bicycle_population_real disturbance_scale_start = config->disturbance_scale_start;
+    bicycle_population_real *const P = state->P;
+    bicycle_population_real K;
+    bicycle_population_real activity;
+    bicycle_population_real age;
+    bicycle_population_real disturbance;
+    bicycle_population_real disturbance_scale;
+    bicycle_population_real eta;
+    bicycle_population_real excitation;
+    bicycle_population_real excited;
+    bicycle_population_real information;
+    bicycle_population_real input_offset;
+    bicycle_population_real last_U;
+    bicycle_population_real last_input;
+    bicycle_population_real noise_scale;
+    bicycle_population_real output_bias;
+    bicycle_population_real pi1;
+    bicycle_population_real r_star;
+    bicycle_population_real rho;
+    bicycle_population_real settling;
+    bicycle_population_real started;
+    bicycle_population_real surprise;
+    bicycle_population_real v_star;
+    bicycle_population_real validity;
+    v_star = R(0.0);
+    r_star = R(0.0);
+    disturbance = R(0.0);
+    K = K_prior;
+    pi1 = pi1_prior;
+    eta = eta_prior;
+    rho = rho_prior;
+    input_offset = R(0.0);
+    output_bias = R(0.0);
+    P[0] = R(0.0);
+    P[1] = R(0.0);
+    P[2] = R(0.0);
+    P[3] = R(0.0);
+    P[4] = R(0.0);
+    P[5] = R(0.0);
+    P[6] = R(0.0);
+    P[7] = R(0.0);
+    P[8] = R(0.0);
+    P[9] = R(0.0);
+    P[10] = R(0.0);
+    P[11] = R(0.0);
+    P[12] = R(0.0);
+    P[13] = R(0.0);
+    P[14] = R(0.0);
+    P[15] = R(0.0);
+    P[16] = R(0.0);
+    P[17] = R(0.0);
+    P[18] = R(0.0);
+    P[19] = R(0.0);
+    P[20] = R(0.0);
+    P[21] = R(0.0);
+    P[22] = R(0.0);
+    P[23] = R(0.0);
+    P[24] = R(0.0);
+    P[25] = R(0.0);
+    P[26] = R(0.0);
+    P[27] = R(0.0);
+    P[28] = R(0.0);
+    P[29] = R(0.0);
+    P[30] = R(0.0);
+    P[31] = R(0.0);
+    P[32] = R(0.0);
+    P[33] = R(0.0);
+    P[34] = R(0.0);
+    P[35] = R(0.0);
+    P[36] = R(0.0);
+    P[37] = R(0.0);
+    P[38] = R(0.0);
+    P[39] = R(0.0);
+    P[40] = R(0.0);
+    P[41] = R(0.0);
+    P[42] = R(0.0);
+    P[43] = R(0.0);
+    P[44] = R(0.0);
+    P[45] = R(0.0);
+    P[46] = R(0.0);
+    P[47] = R(0.0);
+    P[48] = R(0.0);
+    P[49] = R(0.0);
+    P[50] = R(0.0);
+    P[51] = R(0.0);
+    P[52] = R(0.0);
+    P[53] = R(0.0);
+    P[54] = R(0.0);
+    P[0] = (v_star_sd*v_star_sd);
+    P[10] = (r_star_sd*r_star_sd);
+    P[49] = (input_scale_sd*input_scale_sd);
+    P[52] = (input_offset_sd*input_offset_sd);
+    P[54] = (output_bias_sd*output_bias_sd);
+    P[27] = P_prior_0;
+    P[28] = P_prior_1;
+    P[29] = P_prior_2;
+    P[30] = P_prior_3;
+    P[34] = P_prior_4;
+    P[35] = P_prior_5;
+    P[36] = P_prior_6;
+    P[40] = P_prior_7;
+    P[41] = P_prior_8;
+    P[45] = P_prior_9;
+    noise_scale = R(1.0);
+    surprise = R(1.0);
+    settling = R(1.0);
+    disturbance_scale = disturbance_scale_start;
+    P[19] = disturbance_scale*(disturbance_floor*disturbance_floor);
+    activity = R(0.0);
+    excitation = R(0.0);
+    excited = R(0.0);
+    validity = R(0.0);
+    information = R(0.0);
+    last_input = R(0.0);
+    age = R(0.0);
+    started = R(0.0);
+    last_U = R(0.0);
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->pi1 = pi1;
+    state->eta = eta;
+    state->rho = rho;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+}
+
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *config, bicycle_population_state *state,
+                               const bicycle_population_sample *sample, bicycle_population_output *output)
+{
+    const bicycle_population_real L = config->L;
+    const bicycle_population_real K_prior = config->K_prior;
+    const bicycle_population_real prior_information = config->prior_information;
+    const bicycle_population_real K_low = config->K_low;
+    const bicycle_population_real K_high = config->K_high;
+    const bicycle_population_real pi1_low = config->pi1_low;
+    const bicycle_population_real pi1_high = config->pi1_high;
+    const bicycle_population_real eta_low = config->eta_low;
+    const bicycle_population_real eta_high = config->eta_high;
+    const bicycle_population_real rho_low = config->rho_low;
+    const bicycle_population_real rho_high = config->rho_high;
+    const bicycle_population_real v_star_sd = config->v_star_sd;
+    const bicycle_population_real r_star_sd = config->r_star_sd;
+    const bicycle_population_real noise_variance = config->noise_variance;
+    const bicycle_population_real drift = config->drift;
+    const bicycle_population_real idle_drift = config->idle_drift;
+    const bicycle_population_real jump_drift = config->jump_drift;
+    const bicycle_population_real bias_drift = config->bias_drift;
+    const bicycle_population_real timing_error = config->timing_error;
+    const bicycle_population_real structure_share = config->structure_share;
+    const bicycle_population_real structure_time = config->structure_time;
+    const bicycle_population_real activity_rate = config->activity_rate;
+    const bicycle_population_real disturbance_floor = config->disturbance_floor;
+    const bicycle_population_real disturbance_share = config->disturbance_share;
+    const bicycle_population_real disturbance_rate = config->disturbance_rate;
+    const bicycle_population_real disturbance_adapt = config->disturbance_adapt;
+    const bicycle_population_real disturbance_scale_low = config->disturbance_scale_low;
+    const bicycle_population_real disturbance_scale_high = config->disturbance_scale_high;
+    const bicycle_population_real noise_adapt = config->noise_adapt;
+    const bicycle_population_real noise_scale_low = config->noise_scale_low;
+    const bicycle_population_real noise_scale_high = config->noise_scale_high;
+    const bicycle_population_real excitation_ratio = config->excitation_ratio;
+    const bicycle_population_real excitation_rate = config->excitation_rate;
+    const bicycle_population_real surprise_rate = config->surprise_rate;
+    const bicycle_population_real surprise_limit = config->surprise_limit;
+    const bicycle_population_real observed_least = config->observed_least;
+    const bicycle_population_real outlier_ratio = config->outlier_ratio;
+    const bicycle_population_real gap = config->gap;
+    const bicycle_population_real input_limit = config->input_limit;
+    const bicycle_population_real output_limit = config->output_limit;
+    const bicycle_population_real signal_limit = config->signal_limit;
+    const bicycle_population_real validity_limit = config->validity_limit;
+    const bicycle_population_real validity_rate = config->validity_rate;
+    const bicycle_population_real dt = sample->dt;
+    const bicycle_population_real input = sample->input;
+    const bicycle_population_real U = sample->U;
+    const bicycle_population_real measured = sample->measured;
+    bicycle_population_real *const P = state->P;
+    bicycle_population_real v_star = state->v_star;
+    bicycle_population_real r_star = state->r_star;
+    bicycle_population_real disturbance = state->disturbance;
+    bicycle_population_real K = state->K;
+    bicycle_population_real pi1 = state->pi1;
+    bicycle_population_real eta = state->eta;
+    bicycle_population_real rho = state->rho;
+    bicycle_population_real input_offset = state->input_offset;
+    bicycle_population_real output_bias = state->output_bias;
+    bicycle_population_real noise_scale = state->noise_scale;
+    bicycle_population_real disturbance_scale = state->disturbance_scale;
+    bicycle_population_real activity = state->activity;
+    bicycle_population_real settling = state->settling;
+    bicycle_population_real surprise = state->surprise;
+    bicycle_population_real excitation = state->excitation;
+    bicycle_population_real excited = state->excited;
+    bicycle_population_real validity = state->validity;
+    bicycle_population_real information = state->information;
+    bicycle_population_real last_input = state->last_input;
+    bicycle_population_real last_U = state->last_U;
+    bicycle_population_real age = state->age;
+    bicycle_population_real started = state->started;
+    bicycle_population_real U_now = R(0.0);
+    bicycle_population_real anew = R(0.0);
+    bicycle_population_real diffusion = R(0.0);
+    bicycle_population_real estimate = R(0.0);
+    bicycle_population_real information_gained = R(0.0);
+    bicycle_population_real innovation = R(0.0);
+    bicycle_population_real innovation_variance = R(0.0);
+    bicycle_population_real inv_spread = R(0.0);
+    bicycle_population_real move = R(0.0);
+    bicycle_population_real predicted = R(0.0);
+    bicycle_population_real status = R(0.0);
+    bicycle_population_real u_now = R(0.0);
+    bicycle_population_real usable = R(0.0);
+    bicycle_population_real variance = R(0.0);
+
+    status = R(0.0);
+    predicted = output_bias;
+    innovation = R(0.0);
+    innovation_variance = noise_scale*noise_variance;
+    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
+        usable = R(1.0);
+        age = age + dt;
+        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
+            u_now = input;
+            U_now = U;
+        } else {
+            u_now = last_input;
+            U_now = last_U;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (started < R(0.5)) { /* first sample: no sample before it */
+            last_input = u_now;
+            last_U = U_now;
+        }
+        anew = ((age > gap) && (started > R(0.5)) ? R(1.0) : R(0.0)); /* 1 where the dynamic state starts anew */
+        if ((age > gap) && (started > R(0.5))) { /* too long without a sample */
+            status = R(5.0);
+        }
+        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = R(1.0);
+            usable = R(0.0);
+            status = R(6.0);
+        }
+        if (anew > R(0.5)) { /* nothing is known of them */
+            P[0] = R(0.0);
+            P[1] = R(0.0);
+            P[2] = R(0.0);
+            P[3] = R(0.0);
+            P[4] = R(0.0);
+            P[5] = R(0.0);
+            P[6] = R(0.0);
+            P[7] = R(0.0);
+            P[8] = R(0.0);
+            P[9] = R(0.0);
+            P[10] = R(0.0);
+            P[11] = R(0.0);
+            P[12] = R(0.0);
+            P[13] = R(0.0);
+            P[14] = R(0.0);
+            P[15] = R(0.0);
+            P[16] = R(0.0);
+            P[17] = R(0.0);
+            P[18] = R(0.0);
+            P[19] = R(0.0);
+            P[20] = R(0.0);
+            P[21] = R(0.0);
+            P[22] = R(0.0);
+            P[23] = R(0.0);
+            P[24] = R(0.0);
+            P[25] = R(0.0);
+            P[26] = R(0.0);
+            P[0] = (v_star_sd*v_star_sd);
+            P[10] = (r_star_sd*r_star_sd);
+            P[19] = disturbance_scale*(disturbance_floor*disturbance_floor);
+            disturbance = R(0.0);
+            excitation = R(0.0);
+            excited = R(0.0);
+        }
+        const bicycle_population_real at_U = ((R(0.05)) > (U_now) ? R(0.05) : U_now); /* kept off zero */
+        const bicycle_population_real was_U = ((R(0.05)) > (last_U) ? R(0.05) : last_U);
+        const bicycle_population_real inv_U = (R(1.0)/at_U);
+        const bicycle_population_real inv_L = (R(1.0)/L);
+        const bicycle_population_real inv_dt = (R(1.0)/dt);
+        const bicycle_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
+        const bicycle_population_real inv_output_scale = L*inv_U;
+        const bicycle_population_real h = at_U*dt*inv_L; /* dimensionless time step */
+        const bicycle_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
+        v_star = ratio_v_star*v_star;
+        const bicycle_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
+        r_star = r_star*ratio_r_star;
+        const bicycle_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+        const bicycle_population_real u = disturbance + input_offset + steer; /* effective input [-] */
+        const bicycle_population_real inv0 = (R(1.0)/pi1);
+        const bicycle_population_real inv1 = (R(1.0)/rho);
+        const bicycle_population_real inv2 = (R(1.0)/(R(1.0) - pi1));
+        const bicycle_population_real c0 = (inv_U*inv_U);
+        const bicycle_population_real c1 = K*c0;
+        const bicycle_population_real c2 = c1*v_star;
+        const bicycle_population_real c3 = c1*pi1;
+        const bicycle_population_real c4 = c3*r_star;
+        const bicycle_population_real c5 = c2*pi1;
+        const bicycle_population_real c6 = c5*eta;
+        const bicycle_population_real c7 = (pi1*pi1);
+        const bicycle_population_real c8 = c1*c7;
+        const bicycle_population_real c9 = R(1.0) - pi1;
+        const bicycle_population_real c10 = c4*eta;
+        const bicycle_population_real c11 = K*c0*pi1*u + K*c0*eta*pi1*v_star - c5 - c10*c9 - c8*r_star;
+        const bicycle_population_real c12 = inv1*inv2;
+        const bicycle_population_real c13 = c12*inv0;
+        const bicycle_population_real c14 = c11*c13;
+        const bicycle_population_real c15 = c3*eta;
+        const bicycle_population_real c16 = c13*h;
+        const bicycle_population_real c17 = c0*v_star;
+        const bicycle_population_real c18 = c0*r_star;
+        const bicycle_population_real c19 = c18*pi1;
+        const bicycle_population_real c20 = c17*pi1;
+        const bicycle_population_real c21 = c1*r_star;
+        const bicycle_population_real c22 = c2*eta;
+        const bicycle_population_real c23 = (inv2*inv2);
+        const bicycle_population_real f_v_star = K*c0*u + K*c0*eta*pi1*r_star - c2 - c4 - r_star - c6*inv2; /* rate [-] */
+        const bicycle_population_real f_r_star = c14; /* rate [-] */
+        const bicycle_population_real J_00 = h*((-c1) - c15*inv2);
+        const bicycle_population_real J_01 = h*(K*c0*eta*pi1 - R(1.0) - c3);
+        const bicycle_population_real J_10 = c16*(c15 - c3);
+        const bicycle_population_real J_11 = c16*((-c8) - c15*c9);
+        const bicycle_population_real f_v_star_K = K*(c0*u + c0*eta*pi1*r_star - c17 - c19 - c20*eta*inv2);
+        const bicycle_population_real f_r_star_K = K*c13*(c0*pi1*u + c0*eta*pi1*v_star - c20 - c18*c7 - c19*c9*eta);
+        const bicycle_population_real f_v_star_pi1 = K*c0*eta*r_star - c21 - c22*inv2 - c23*c6;
+        const bicycle_population_real f_r_star_pi1 = c13*(c10 + c22 + c1*u - c2 - R(2.0)*c4 - c21*c9*eta) + c11*c23*inv0*inv1 - c11*c12*(inv0*inv0);
+        const bicycle_population_real f_v_star_eta = eta*(c4 - c5*inv2);
+        const bicycle_population_real f_r_star_eta = c13*eta*(c5 - c4*c9);
+        const bicycle_population_real f_v_star_rho = R(0.0);
+        const bicycle_population_real f_r_star_rho = (-c14);
+        const bicycle_population_real f_v_star_u = c1;
+        const bicycle_population_real f_r_star_u = c1*c12;
+        const bicycle_population_real N_00 = R(1.0) + R(0.5)*(J_00*J_00) + R(0.5)*J_01*J_10 - J_00;
+        const bicycle_population_real N_01 = R(0.5)*J_00*J_01 + R(0.5)*J_01*J_11 - J_01;
+        const bicycle_population_real N_10 = R(0.5)*J_00*J_10 + R(0.5)*J_10*J_11 - J_10;
+        const bicycle_population_real N_11 = R(1.0) + R(0.5)*(J_11*J_11) + R(0.5)*J_01*J_10 - J_11;
+        const bicycle_population_real inv_det = (R(1.0)/(N_00*N_11 - N_01*N_10)); /* det N > 0 for every real J */
+        const bicycle_population_real M_00 = N_11*inv_det; /* dx+/dx */
+        const bicycle_population_real M_01 = (-N_01*inv_det);
+        const bicycle_population_real M_10 = (-N_10*inv_det);
+        const bicycle_population_real M_11 = N_00*inv_det;
+        const bicycle_population_real B_00 = h*(R(1.0) - R(0.5)*J_00);
+        const bicycle_population_real B_01 = (-R(0.5)*J_01*h);
+        const bicycle_population_real B_10 = (-R(0.5)*J_10*h);
+        const bicycle_population_real B_11 = h*(R(1.0) - R(0.5)*J_11);
+        const bicycle_population_real G_00 = B_00*M_00 + B_10*M_01;
+        const bicycle_population_real G_01 = B_01*M_00 + B_11*M_01;
+        const bicycle_population_real G_10 = B_00*M_10 + B_10*M_11;
+        const bicycle_population_real G_11 = B_01*M_10 + B_11*M_11;
+        const bicycle_population_real d_v_star = G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
+        const bicycle_population_real d_r_star = G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+        const bicycle_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
+        const bicycle_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
+        const bicycle_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
+        const bicycle_population_real F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1;
+        const bicycle_population_real F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta;
+        const bicycle_population_real F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta;
+        const bicycle_population_real F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho;
+        const bicycle_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
+        const bicycle_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
+        const bicycle_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
+        const bicycle_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
+        const bicycle_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        move = R(0.0);
+        diffusion = drift;
+        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            diffusion = idle_drift;
+            const bicycle_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+            const bicycle_population_real keep = R(1.0) - lost;
+            P[3] = P[3]*keep;
+            P[12] = P[12]*keep;
+            P[20] = P[20]*keep;
+            P[27] = P[27]*keep;
+            P[28] = P[28]*keep;
+            P[29] = P[29]*keep;
+            P[30] = P[30]*keep;
+            P[31] = P[31]*keep;
+            P[32] = P[32]*keep;
+            P[33] = P[33]*keep;
+            P[27] = P[27]*keep;
+            const bicycle_population_real p = K - K_prior;
+            const bicycle_population_real q = K + K_prior;
+            const bicycle_population_real pp = (p*p);
+            const bicycle_population_real qq = (q*q);
+            const bicycle_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
+            move = (-away*lost);
+        }
+        const bicycle_population_real F_v_star_v_star = M_00*ratio_v_star;
+        const bicycle_population_real F_v_star_r_star = M_01*ratio_r_star;
+        const bicycle_population_real F_r_star_v_star = M_10*ratio_v_star;
+        const bicycle_population_real F_r_star_r_star = M_11*ratio_r_star;
+        const bicycle_population_real PW_0 = P[2] + P[8] + P[7]*steer;
+        const bicycle_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+        const bicycle_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+        const bicycle_population_real PW_1 = P[11] + P[17] + P[16]*steer;
+        const bicycle_population_real FP_0_1 = F_v_star_K*P[12] + F_v_star_eta*P[14] + F_v_star_pi1*P[13] + F_v_star_r_star*P[10] + F_v_star_rho*P[15] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+        const bicycle_population_real FP_1_1 = F_r_star_K*P[12] + F_r_star_eta*P[14] + F_r_star_pi1*P[13] + F_r_star_r_star*P[10] + F_r_star_rho*P[15] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+        const bicycle_population_real PW_2 = P[19] + P[25] + P[24]*steer;
+        const bicycle_population_real FP_0_2 = F_v_star_K*P[20] + F_v_star_eta*P[22] + F_v_star_pi1*P[21] + F_v_star_r_star*P[11] + F_v_star_rho*P[23] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+        const bicycle_population_real FP_1_2 = F_r_star_K*P[20] + F_r_star_eta*P[22] + F_r_star_pi1*P[21] + F_r_star_r_star*P[11] + F_r_star_rho*P[23] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+        const bicycle_population_real PW_3 = P[20] + P[32] + P[31]*steer;
+        const bicycle_population_real FP_0_3 = F_v_star_K*P[27] + F_v_star_eta*P[29] + F_v_star_pi1*P[28] + F_v_star_r_star*P[12] + F_v_star_rho*P[30] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+        const bicycle_population_real FP_1_3 = F_r_star_K*P[27] + F_r_star_eta*P[29] + F_r_star_pi1*P[28] + F_r_star_r_star*P[12] + F_r_star_rho*P[30] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+        const bicycle_population_real PW_4 = P[21] + P[38] + P[37]*steer;
+        const bicycle_population_real FP_0_4 = F_v_star_K*P[28] + F_v_star_eta*P[35] + F_v_star_pi1*P[34] + F_v_star_r_star*P[13] + F_v_star_rho*P[36] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+        const bicycle_population_real FP_1_4 = F_r_star_K*P[28] + F_r_star_eta*P[35] + F_r_star_pi1*P[34] + F_r_star_r_star*P[13] + F_r_star_rho*P[36] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+        const bicycle_population_real PW_5 = P[22] + P[43] + P[42]*steer;
+        const bicycle_population_real FP_0_5 = F_v_star_K*P[29] + F_v_star_eta*P[40] + F_v_star_pi1*P[35] + F_v_star_r_star*P[14] + F_v_star_rho*P[41] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+        const bicycle_population_real FP_1_5 = F_r_star_K*P[29] + F_r_star_eta*P[40] + F_r_star_pi1*P[35] + F_r_star_r_star*P[14] + F_r_star_rho*P[41] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+        const bicycle_population_real PW_6 = P[23] + P[47] + P[46]*steer;
+        const bicycle_population_real FP_0_6 = F_v_star_K*P[30] + F_v_star_eta*P[41] + F_v_star_pi1*P[36] + F_v_star_r_star*P[15] + F_v_star_rho*P[45] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+        const bicycle_population_real FP_1_6 = F_r_star_K*P[30] + F_r_star_eta*P[41] + F_r_star_pi1*P[36] + F_r_star_r_star*P[15] + F_r_star_rho*P[45] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+        const bicycle_population_real PW_7 = P[24] + P[50] + P[49]*steer;
+        const bicycle_population_real FP_0_7 = F_v_star_K*P[31] + F_v_star_eta*P[42] + F_v_star_pi1*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[46] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+        const bicycle_population_real FP_1_7 = F_r_star_K*P[31] + F_r_star_eta*P[42] + F_r_star_pi1*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[46] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+        const bicycle_population_real PW_8 = P[25] + P[52] + P[50]*steer;
+        const bicycle_population_real FP_0_8 = F_v_star_K*P[32] + F_v_star_eta*P[43] + F_v_star_pi1*P[38] + F_v_star_r_star*P[17] + F_v_star_rho*P[47] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
+        const bicycle_population_real FP_1_8 = F_r_star_K*P[32] + F_r_star_eta*P[43] + F_r_star_pi1*P[38] + F_r_star_r_star*P[17] + F_r_star_rho*P[47] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+        const bicycle_population_real PW_9 = P[26] + P[53] + P[51]*steer;
+        const bicycle_population_real FP_0_9 = F_v_star_K*P[33] + F_v_star_eta*P[44] + F_v_star_pi1*P[39] + F_v_star_r_star*P[18] + F_v_star_rho*P[48] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
+        const bicycle_population_real FP_1_9 = F_r_star_K*P[33] + F_r_star_eta*P[44] + F_r_star_pi1*P[39] + F_r_star_r_star*P[18] + F_r_star_rho*P[48] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+        const bicycle_population_real WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer;
+        P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0;
+        P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0;
+        P[2] = FP_0_2*keep_w;
+        P[3] = FP_0_3;
+        P[4] = FP_0_4;
+        P[5] = FP_0_5;
+        P[6] = FP_0_6;
+        P[7] = FP_0_7;
+        P[8] = FP_0_8;
+        P[9] = FP_0_9;
+        const bicycle_population_real WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer;
+        P[10] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1;
+        P[11] = FP_1_2*keep_w;
+        P[12] = FP_1_3;
+        P[13] = FP_1_4;
+        P[14] = FP_1_5;
+        P[15] = FP_1_6;
+        P[16] = FP_1_7;
+        P[17] = FP_1_8;
+        P[18] = FP_1_9;
+        P[19] = P[19]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[20] = P[20]*keep_w;
+        P[21] = P[21]*keep_w;
+        P[22] = P[22]*keep_w;
+        P[23] = P[23]*keep_w;
+        P[24] = P[24]*keep_w;
+        P[25] = P[25]*keep_w;
+        P[26] = P[26]*keep_w;
+        P[27] = P[27] + dt*(diffusion + jump_drift*((R(0.0)) > (surprise - surprise_limit) ? R(0.0) : surprise - surprise_limit));
+        P[54] = P[54] + bias_drift*dt;
+        disturbance = disturbance*keep_w;
+        v_star = d_v_star + v_star;
+        r_star = d_r_star + r_star;
+        const bicycle_population_real response = output_scale*r_star; /* output of the model */
+        predicted = output_bias + response;
+        const bicycle_population_real output_rate = d_r_star*inv_dt*output_scale;
+        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
+        const bicycle_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
+        const bicycle_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
+        const bicycle_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        const bicycle_population_real validity_square = (validity_now*validity_now);
+        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        if (usable > R(0.5)) { /* measurement */
+            const bicycle_population_real c_0 = P[9] + P[1]*output_scale;
+            const bicycle_population_real c_1 = P[18] + P[10]*output_scale;
+            const bicycle_population_real c_2 = P[26] + P[11]*output_scale;
+            const bicycle_population_real c_3 = P[33] + P[12]*output_scale;
+            const bicycle_population_real c_4 = P[39] + P[13]*output_scale;
+            const bicycle_population_real c_5 = P[44] + P[14]*output_scale;
+            const bicycle_population_real c_6 = P[48] + P[15]*output_scale;
+            const bicycle_population_real c_7 = P[51] + P[16]*output_scale;
+            const bicycle_population_real c_8 = P[53] + P[17]*output_scale;
+            const bicycle_population_real c_9 = P[54] + P[18]*output_scale;
+            innovation = measured - predicted;
+            innovation_variance = c_9 + noise + c_1*output_scale;
+            inv_spread = (R(1.0)/innovation_variance);
+            const bicycle_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
+            if (nis > outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*outlier_ratio/nis;
+            }
+            const bicycle_population_real inv_P = (R(1.0)/P[27]);
+            const bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
+            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
+            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_population_real learn = excited*inv_spread;
+            const bicycle_population_real learn_slow = (surprise < surprise_limit ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            const bicycle_population_real gain_0 = c_0*inv_spread;
+            const bicycle_population_real gain_1 = c_1*inv_spread;
+            const bicycle_population_real gain_2 = c_2*inv_spread;
+            const bicycle_population_real gain_3 = c_3*learn;
+            const bicycle_population_real gain_4 = c_4*learn_slow;
+            const bicycle_population_real gain_5 = c_5*learn_slow;
+            const bicycle_population_real gain_6 = c_6*learn_slow;
+            const bicycle_population_real gain_8 = c_8*inv_spread;
+            const bicycle_population_real gain_9 = c_9*inv_spread;
+            const bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
+            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            P[0] = P[0] - c_0*gain_0;
+            P[1] = P[1] - c_1*gain_0;
+            P[2] = P[2] - c_2*gain_0;
+            P[3] = P[3] - c_3*gain_0;
+            P[4] = P[4] - c_4*gain_0;
+            P[5] = P[5] - c_5*gain_0;
+            P[6] = P[6] - c_6*gain_0;
+            P[7] = P[7] - c_7*gain_0;
+            P[8] = P[8] - c_8*gain_0;
+            P[9] = P[9] - c_9*gain_0;
+            P[10] = P[10] - c_1*gain_1;
+            P[11] = P[11] - c_2*gain_1;
+            P[12] = P[12] - c_3*gain_1;
+            P[13] = P[13] - c_4*gain_1;
+            P[14] = P[14] - c_5*gain_1;
+            P[15] = P[15] - c_6*gain_1;
+            P[16] = P[16] - c_7*gain_1;
+            P[17] = P[17] - c_8*gain_1;
+            P[18] = P[18] - c_9*gain_1;
+            P[19] = P[19] - c_2*gain_2;
+            P[20] = P[20] - c_3*gain_2;
+            P[21] = P[21] - c_4*gain_2;
+            P[22] = P[22] - c_5*gain_2;
+            P[23] = P[23] - c_6*gain_2;
+            P[24] = P[24] - c_7*gain_2;
+            P[25] = P[25] - c_8*gain_2;
+            P[26] = P[26] - c_9*gain_2;
+            P[27] = P[27] - c_3*gain_3;
+            P[28] = P[28] - c_4*gain_3;
+            P[29] = P[29] - c_5*gain_3;
+            P[30] = P[30] - c_6*gain_3;
+            P[31] = P[31] - c_7*gain_3;
+            P[32] = P[32] - c_3*gain_8;
+            P[33] = P[33] - c_3*gain_9;
+            P[34] = P[34] - c_4*gain_4;
+            P[35] = P[35] - c_5*gain_4;
+            P[36] = P[36] - c_6*gain_4;
+            P[37] = P[37] - c_7*gain_4;
+            P[38] = P[38] - c_4*gain_8;
+            P[39] = P[39] - c_4*gain_9;
+            P[40] = P[40] - c_5*gain_5;
+            P[41] = P[41] - c_6*gain_5;
+            P[42] = P[42] - c_7*gain_5;
+            P[43] = P[43] - c_5*gain_8;
+            P[44] = P[44] - c_5*gain_9;
+            P[45] = P[45] - c_6*gain_6;
+            P[46] = P[46] - c_7*gain_6;
+            P[47] = P[47] - c_6*gain_8;
+            P[48] = P[48] - c_6*gain_9;
+            P[50] = P[50] - c_7*gain_8;
+            P[51] = P[51] - c_7*gain_9;
+            P[52] = P[52] - c_8*gain_8;
+            P[53] = P[53] - c_9*gain_8;
+            P[54] = P[54] - c_9*gain_9;
+            v_star = v_star + gain_0*innovation;
+            r_star = r_star + gain_1*innovation;
+            disturbance = disturbance + gain_2*innovation;
+            move = move + gain_3*innovation;
+            pi1 = pi1 + gain_4*innovation;
+            const bicycle_population_real move_eta = gain_5*innovation;
+            const bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+            const bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            const bicycle_population_real move_rho = gain_6*innovation;
+            const bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+            const bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            input_offset = input_offset + gain_8*innovation;
+            output_bias = output_bias + gain_9*innovation;
+            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
+            const bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(1.0)) < (dt*settling) ? R(1.0) : dt*settling);
+            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
+            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
+            const bicycle_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
+            const bicycle_population_real seen = ((R(9.0)*expected) < (P[19] + (disturbance*disturbance)) ? R(9.0)*expected : P[19] + (disturbance*disturbance)); /* and seen */
+            const bicycle_population_real unseen = ((expected*observed_least) > (expected - P[19]) ? expected*observed_least : expected - P[19]);
+            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
+            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
+            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
+            if (excited < R(0.5)) {
+                status = R(1.0);
+            }
+            if (validity > (validity_limit*validity_limit)) {
+                status = R(2.0);
+            }
+        }
+        const bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
+        const bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
+        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
+            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
+            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
+            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
+            if (usable > R(0.5)) {
+                status = R(3.0);
+            }
+        }
+        last_input = u_now;
+        last_U = U_now;
+        if (usable > R(0.5)) {
+            age = R(0.0);
+            started = R(1.0);
+        }
+    } else {
+        status = R(7.0);
+    }
+    estimate = K;
+    variance = P[27];
+    information_gained = information;
+
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->pi1 = pi1;
+    state->eta = eta;
+    state->rho = rho;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+    output->estimate = estimate;
+    output->variance = variance;
+    output->predicted = predicted;
+    output->innovation = innovation;
+    output->innovation_variance = innovation_variance;
+    output->information_gained = information_gained;
+    return (int)status;
+}
+
+/* The step over n samples; the same bits as calling it n times. */
+SIMILITUDE_API long bicycle_population_batch(const bicycle_population_config *config, bicycle_population_state *state, long n,
+                                 const bicycle_population_sample *samples, bicycle_population_output *outputs, int *status)
+{
+    long i;
+    for (i = 0; i < n; ++i)
+        status[i] = bicycle_population_step(config, state, &samples[i], &outputs[i]);
+    return n;
+}

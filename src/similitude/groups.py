@@ -1,0 +1,174 @@
+"""Groups: a Model rewritten in Pi groups and dimensionless time, with the scales that lead back.
+
+Invariant: after the rewrite no dimensional symbol is left in any rate or output; that it cancels
+exactly is checked, not assumed (paper, section 4, eqs 17-20).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from similitude.errors import ModelError
+from similitude.model import Model, Quantity
+from similitude.units import Dimension, parse_unit
+
+
+@dataclass(frozen=True)
+class Group:
+    """One Pi group: its name, the parameter it measures and its exact exponents."""
+
+    name: str
+    parameter: str
+    exponents: Mapping[str, Fraction]
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """The symbol of the group in the rewritten rates."""
+        return sp.Symbol(self.name, real=True)
+
+
+@dataclass(frozen=True)
+class Groups:
+    """A rewritten model.
+
+    ``rates`` are d(x*)/d(t*) in the groups and in the dimensionless states and inputs, which keep
+    the names of the dimensional ones; ``output_map`` likewise. ``scale`` leads back:
+    quantity = scale * dimensionless quantity, and ``time_scale`` is the unit of time.
+    """
+
+    model: Model
+    base: tuple[str, ...]
+    groups: tuple[Group, ...]
+    scale: Mapping[str, sp.Expr]
+    time_scale: sp.Expr
+    rates: Mapping[str, sp.Expr]
+    output_map: Mapping[str, sp.Expr]
+    constraints: Mapping[str, sp.Expr]
+
+    def value(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Numerical groups [-] from parameter values in SI units."""
+        result = {}
+        for group in self.groups:
+            product = 1.0
+            for name, exponent in group.exponents.items():
+                product *= values[name] ** float(exponent)
+            result[group.name] = product
+        return result
+
+
+def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
+    """Rewrite a model in Pi groups with the named repeating variables.
+
+    Parameters
+    ----------
+    model : Model             with units on every quantity.
+    base : repeating variables, parameters whose dimensions are independent and span the model's.
+
+    Returns
+    -------
+    Groups                    one group per remaining parameter, in the model's order.
+
+    Raises
+    ------
+    ModelError                the base does not span, or a rate is not homogeneous in the units.
+
+    References
+    ----------
+    Brennan & Alleyne 2004, eqs 17-20.
+    """
+    columns = [model.quantity(name).dimension for name in base]
+    scale = {
+        q.name: _monomial(_solve(model, base, columns, q.name, q.dimension))
+        for q in model.quantities
+    }
+    time = _monomial(_solve(model, base, columns, "time", parse_unit("s").dimension))
+    free = [q for q in model.parameters if q.name not in base]
+    groups = tuple(_group(model, base, columns, q, i + 1) for i, q in enumerate(free))
+    substitution = {q.symbol: scale[q.name] * g.symbol for q, g in zip(free, groups, strict=True)}
+    signals = (*model.states, *model.inputs)
+    substitution |= {q.symbol: scale[q.name] * q.symbol for q in signals}
+
+    def dimensionless(expression: sp.Expr, unit: sp.Expr, where: str) -> sp.Expr:
+        result = sp.expand(sp.sympify(expression).xreplace(substitution) / unit)
+        left = sorted({s.name for s in result.free_symbols} & set(base))
+        if left:
+            raise ModelError(
+                f"model {model.name!r}: {where} is not homogeneous, {', '.join(left)} does not cancel"
+                f" from {sp.sstr(result)[:160]}",
+                usually="Two terms of the sum have different units, or a quantity's unit is wrong.",
+                paste="Quantity('Caf', 'N/rad', 'cornering stiffness')   # check each unit",
+                read="docs/architecture.md, 'Groups'",
+            )
+        return sp.factor_terms(result)
+
+    of_parameter = {q.name: g for q, g in zip(free, groups, strict=True)}
+    return Groups(
+        model=model,
+        base=tuple(base),
+        groups=groups,
+        scale=scale,
+        time_scale=time,
+        rates={
+            name: dimensionless(rate, scale[name] / time, f"the rate of {name!r}")
+            for name, rate in model.rates.items()
+        },
+        output_map={
+            name: dimensionless(out, scale[name], f"the output {name!r}")
+            for name, out in model.output_map.items()
+        },
+        constraints={
+            of_parameter[name].name: dimensionless(e, scale[name], f"the constraint on {name!r}")
+            for name, e in model.constraints.items()
+        },
+    )
+
+
+def _group(
+    model: Model, base: Sequence[str], columns: list[Dimension], q: Quantity, number: int
+) -> Group:
+    powers = _solve(model, base, columns, q.name, q.dimension)
+    exponents = {q.name: Fraction(1)} | {name: -p for name, p in powers.items() if p}
+    return Group(f"pi{number}", q.name, exponents)
+
+
+def _monomial(powers: Mapping[str, Fraction]) -> sp.Expr:
+    return sp.Mul(
+        *(
+            sp.Symbol(n, real=True) ** sp.Rational(p.numerator, p.denominator)
+            for n, p in powers.items()
+        )
+    )
+
+
+def _solve(
+    model: Model, base: Sequence[str], columns: list[Dimension], name: str, wanted: Dimension
+) -> dict[str, Fraction]:
+    """Exponents of the base whose product has the wanted dimension, exactly."""
+    rows = sorted({r for d in (*columns, wanted) for r in d.exponents})
+    matrix = sp.Matrix(
+        [[sp.Rational(*_pair(d.exponents.get(r, Fraction(0)))) for d in columns] for r in rows]
+        or [[sp.Integer(0)] * len(columns)]
+    )
+    right = sp.Matrix(
+        [sp.Rational(*_pair(wanted.exponents.get(r, Fraction(0)))) for r in rows] or [0]
+    )
+    try:
+        solution, parameters = matrix.gauss_jordan_solve(right)
+    except ValueError:
+        solution, parameters = None, ()
+    if solution is None or parameters.shape[0]:
+        raise ModelError(
+            f"model {model.name!r}: the base {', '.join(base)} cannot measure {name!r} [{wanted}]",
+            usually="The repeating variables are dependent, or do not reach one of the dimensions.",
+            paste=f"reparameterize(model, base={list(base)!r})   # one mass, one length, one time",
+            read="docs/architecture.md, 'Groups'",
+        )
+    return {n: Fraction(int(v.p), int(v.q)) for n, v in zip(base, solution, strict=True)}
+
+
+def _pair(value: Fraction) -> tuple[int, int]:
+    return value.numerator, value.denominator

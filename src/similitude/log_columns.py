@@ -1,0 +1,217 @@
+"""Which column of a file is which quantity: header, aliases, ``--map`` and units.
+
+Invariant: no column is chosen by guess. Two candidates, an ambiguous name and a missing unit are
+refused with the line to write.
+
+    t time [s]; delta road wheel angle [rad]; steering_wheel angle [rad]; r yaw rate [rad/s];
+    U speed [m/s]; ay lateral acceleration [m/s^2]
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from similitude.dimension import ACCELERATION
+from similitude.errors import LogError, UnitError, UsageError, shown
+from similitude.log_quantities import AMBIGUOUS, QUANTITIES, STEER, normal_name, split_header
+from similitude.units import Unit, parse_unit
+
+READ = 'docs/logs.md, "Columns"'
+
+
+@dataclass(frozen=True)
+class Column:
+    """One chosen column: where it stands, how it reads, and its unit."""
+
+    position: int
+    header: str
+    unit: Unit
+    mapped: bool
+
+
+def choose_columns(
+    headers: Sequence[str], *, file: str, mapping: Mapping[str, str]
+) -> dict[str, Column]:
+    """Find the column of each quantity.
+
+    Parameters
+    ----------
+    headers : sequence of str   as written in the file, ``name [unit]``
+    file : str                  name of the file, for messages
+    mapping : mapping           quantity -> column, as its full header or its name without unit
+
+    Returns
+    -------
+    dict of str to Column       t, r, U and one of delta and steering_wheel; ay where present
+
+    Raises
+    ------
+    LogError    a column is missing, or two match one quantity
+    UnitError   a used column has no unit, an unknown one or one of the wrong dimension
+    UsageError  a mapping names no quantity
+    """
+    found = _mapped(headers, file, mapping)
+    stated = set(found)
+    taken = {position for position, _ in found.values()}
+    for name, quantity in QUANTITIES.items():
+        if name in stated or (name in STEER and STEER & stated):
+            continue
+        matches = [
+            position
+            for position, header in enumerate(headers)
+            if position not in taken and normal_name(split_header(header)[0]) in quantity.aliases
+        ]
+        if len(matches) > 1:
+            raise _two(file, quantity.words, name, name, [headers[one] for one in matches[:2]])
+        if matches:
+            found[name] = (matches[0], headers[matches[0]])
+    if "delta" in found and "steering_wheel" in found:
+        both = [found["delta"][1], found["steering_wheel"][1]]
+        raise _two(file, "steer", "delta", "steering_wheel", both)
+    _refuse_missing(headers, file, found)
+    return {
+        name: Column(position, headers[position], _unit(name, header, file), name in stated)
+        for name, (position, header) in found.items()
+    }
+
+
+def _quantity(key: str) -> str:
+    for name in QUANTITIES:
+        if key.casefold() == name.casefold():
+            return name
+    near = difflib.get_close_matches(key, QUANTITIES, n=1, cutoff=0.0)[0]
+    raise UsageError(
+        f"--map names {shown(key)}, which is no quantity of a log: {', '.join(QUANTITIES)}",
+        usually="the two sides were exchanged; the quantity stands left, the column right.",
+        paste=f"--map {near}=COLUMN",
+        read=READ,
+    )
+
+
+def _mapped(
+    headers: Sequence[str], file: str, mapping: Mapping[str, str]
+) -> dict[str, tuple[int, str]]:
+    found = {}
+    for key, wanted in mapping.items():
+        name, wanted = _quantity(key), wanted.strip()
+        matches = [at for at, header in enumerate(headers) if header.strip() == wanted]
+        matches = matches or [
+            at for at, header in enumerate(headers) if split_header(header)[0] == wanted
+        ]
+        header = headers[matches[0]] if matches else wanted
+        if not matches and split_header(wanted)[1] is not None:
+            # "gyro [deg/s]" for a column "gyro": the user states the unit that the file lacks.
+            bare = split_header(wanted)[0]
+            matches = [at for at, header in enumerate(headers) if header.strip() == bare]
+            header = wanted
+        if len(matches) != 1:
+            raise _no_such_column(headers, file, key, wanted, len(matches))
+        found[name] = (matches[0], header)
+    return found
+
+
+def _no_such_column(headers: Sequence[str], file: str, key: str, wanted: str, count: int):
+    near = difflib.get_close_matches(wanted, headers, n=1, cutoff=0.0) or ["COLUMN"]
+    fault = f"{count} columns" if count else "no column"
+    return LogError(
+        f"--map {key}={wanted}: {file} has {fault} of this name; its columns are "
+        + _listed(headers),
+        usually="two columns share one name; rename one."
+        if count
+        else "it is a matter of spelling; upper and lower case differ.",
+        paste=f'--map "{key}={split_header(near[0])[0]}"',
+        read=READ,
+    )
+
+
+def _two(file: str, words: str, first: str, second: str, headers: Sequence[str]) -> LogError:
+    one, other = headers
+    column = split_header(other)[0] if first == second else split_header(one)[0]
+    if split_header(one)[0] == split_header(other)[0]:
+        column = other
+    return LogError(
+        f"{file} has two columns for the {words}: {shown(one)} and {shown(other)}",
+        usually="one is raw and one is computed; say which to use.",
+        paste=f'--map "{first}={column}"',
+        read=READ,
+    )
+
+
+def _refuse_missing(headers: Sequence[str], file: str, found: Mapping) -> None:
+    missing = [name for name in ("t", "r", "U") if name not in found]
+    if "delta" not in found and "steering_wheel" not in found:
+        missing.insert(1 if "t" in missing else 0, "delta")
+    if not missing:
+        return
+    first = missing[0]
+    unclear = [one for one in headers if normal_name(split_header(one)[0]) in AMBIGUOUS]
+    names = " and ".join(f"'{name}' ({QUANTITIES[name].words})" for name in missing)
+    what = f"{file} has no column for {names}; its columns are {_listed(headers)}"
+    if "delta" in missing and unclear:
+        column = split_header(unclear[0])[0]
+        raise LogError(
+            what,
+            usually=f"{shown(column)} is the steering wheel; if it is the road wheel, map delta.",
+            paste=f'--map "steering_wheel={column}"',
+            read=READ,
+        )
+    if not found:
+        raise LogError(
+            what,
+            usually="the file is no driving log, or its header is not in its first line.",
+            paste=",".join(f"{name} [{QUANTITIES[name].si}]" for name in ("t", "delta", "r", "U")),
+            read=READ,
+        )
+    known = ", ".join(sorted(QUANTITIES[first].aliases, key=lambda name: (len(name), name))[:6])
+    free = [split_header(one)[0] for one in headers if one not in [h for _, h in found.values()]]
+    near = difflib.get_close_matches(first, free, n=1, cutoff=0.3) or ["COLUMN"]
+    raise LogError(
+        what,
+        usually=f"it goes by another name than {known}, ...",
+        paste=f'--map "{first}={near[0]}"',
+        read=READ,
+    )
+
+
+def _listed(headers: Sequence[str]) -> str:
+    listed = ", ".join(shown(header, longest=30) for header in headers[:12])
+    return listed + (f" and {len(headers) - 12} more" if len(headers) > 12 else "")
+
+
+def _unit(name: str, header: str, file: str) -> Unit:
+    quantity = QUANTITIES[name]
+    label, text = split_header(header)
+    where = f"column {shown(header)} of {file} ({quantity.words})"
+    if text is None:
+        in_round = re.fullmatch(r"(.*?)\s*\(([^()]*)\)", label)
+        raise UnitError(
+            f"{where} has no unit",
+            usually="the unit is known to the logger only; write it in square brackets.",
+            paste=f"{in_round.group(1)} [{in_round.group(2)}]" if in_round
+            else f"{label} [{quantity.si}]",
+            read='docs/logs.md, "Units"',
+        )  # fmt: skip
+    try:
+        unit = parse_unit(
+            text, expect=ACCELERATION if name == "ay" and text in ("g", "G", "mg") else None
+        )
+    except UnitError as error:
+        raise UnitError(
+            f"{where}: {error.what}",
+            usually=f"one of {quantity.examples} is meant.",
+            paste=f"{label} [{quantity.si}]",
+            read='docs/logs.md, "Units"',
+        ) from None
+    plain_number = text in ("1", "-", "1/s", "s^-1")  # SI: the radian is 1
+    right_angle = unit.angle == 1 or plain_number if quantity.is_angle else unit.angle == 0
+    if unit.dimension != quantity.dimension or not right_angle:
+        raise UnitError(
+            f"{where}: unit '{text}' is no unit of a {quantity.words}; {quantity.examples} are",
+            usually="another quantity is stored under this name, or a '/s' was lost.",
+            paste=f"{label} [{quantity.si}]",
+            read='docs/logs.md, "Units"',
+        )
+    return unit

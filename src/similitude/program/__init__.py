@@ -1,0 +1,1 @@
+"""From a model to a step program, its C source and the compiled library."""

@@ -1,0 +1,94 @@
+"""Parquet logs: column names carry the unit, ``r [deg/s]``, exactly as in CSV.
+
+Invariant: whatever pyarrow finds wrong with the bytes ends in a `LogError`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from similitude.errors import LogError, shown
+from similitude.readers.table import READ, Loaded, Table
+
+
+def open_parquet(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
+    """Open a Parquet file.
+
+    Parameters
+    ----------
+    path : Path              a file that begins as Parquet
+    warnings : tuple of str  what is already known about the file
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    LogError   the file is cut off or damaged
+    """
+    import pyarrow.parquet
+
+    if path.read_bytes()[-4:] != b"PAR1":
+        raise LogError(
+            f"{path.name} is cut off: a Parquet file ends with its index, and this one does not",
+            usually="the recording or the copy was interrupted; without the index nothing can "
+            "be read.",
+            paste=f"cp --force SOURCE/{path.name} .",
+            read=READ,
+        )
+    try:
+        file = pyarrow.parquet.ParquetFile(path)
+        headers = tuple(str(name) for name in file.schema_arrow.names)
+    except Exception as error:  # damaged bytes raise a dozen kinds of exception in pyarrow
+        raise _damaged(path, error) from None
+    return Table(headers, lambda positions: _load(path, file, positions), warnings)
+
+
+def _load(path: Path, file, positions: Sequence[int]) -> Loaded:
+    import numpy as np
+    import pyarrow as pa
+
+    schema = file.schema_arrow
+    for position in positions:
+        _refuse_type(path, schema.names[position], schema.types[position])
+    try:
+        # By position, because two columns may share a name.
+        table = file.read()
+        chosen = [table.column(position).cast(pa.float64(), safe=False) for position in positions]
+        columns = tuple(
+            np.ascontiguousarray(column.to_numpy(), dtype=np.float64) for column in chosen
+        )
+    except Exception as error:  # as above: bytes may be damaged anywhere
+        raise _damaged(path, error) from None
+    return Loaded(columns)
+
+
+def _refuse_type(path: Path, name: str, kind) -> None:
+    import pyarrow.types as types
+
+    number = types.is_floating(kind) or types.is_integer(kind) or types.is_decimal(kind)
+    if number or types.is_null(kind):
+        return
+    clock = types.is_temporal(kind)
+    raise LogError(
+        f"column {shown(name)} of {path.name} holds {kind}, not numbers",
+        usually="a clock time was stored; seconds as plain numbers are needed."
+        if clock
+        else "the column was stored as text.",
+        paste='table["t [s]"] = (table["time"] - table["time"].iloc[0]).dt.total_seconds()'
+        if clock
+        else f'table["{name}"] = table["{name}"].astype(float)',
+        read=READ,
+    )
+
+
+def _damaged(path: Path, error: Exception) -> LogError:
+    reason = " ".join(str(error).split())[:160] or type(error).__name__
+    return LogError(
+        f"{path.name} is a damaged Parquet file: {reason}",
+        usually="the recording or the copy was interrupted.",
+        paste=f"cp --force SOURCE/{path.name} .",
+        read=READ,
+    )

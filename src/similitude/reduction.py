@@ -1,0 +1,87 @@
+"""Reduction: which unknowns to carry in place of the groups, and how the groups follow from them.
+
+Invariant: every group of the rewritten model is an expression in the unknowns and in the known
+scales, so the reduced rates hold nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import sympy as sp
+
+from similitude.errors import ModelError
+from similitude.groups import Groups
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """A slow unknown; its uncertainty is that of its logarithm where ``kind`` is ``log``.
+
+    ``role``: ``identify`` (the first one: may change at any time), ``estimate`` (constant, learnt),
+    ``consider`` (constant, kept at its prior while its uncertainty is carried along).
+    """
+
+    name: str
+    unit: str
+    kind: Literal["log", "linear"]
+    role: Literal["identify", "estimate", "consider"]
+    meaning: str
+
+    @property
+    def symbol(self) -> sp.Symbol:
+        """The symbol of the unknown's value (not of its logarithm)."""
+        return sp.Symbol(self.name, real=True)
+
+    @property
+    def jacobian(self) -> sp.Expr:
+        """d(value)/d(coordinate): the value itself for a logarithm, one otherwise."""
+        return self.symbol if self.kind == "log" else sp.Integer(1)
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """The rewritten model in the chosen unknowns; the first unknown is the one to identify.
+
+    ``live`` is the condition, in scales and in ``<unknown>_prior``, under which the dynamics can
+    be seen at all at the sample's scales.
+
+    Raises
+    ------
+    ModelError    a group has no expression, or an expression uses an unknown that is not listed.
+    """
+
+    groups: Groups
+    unknowns: tuple[Unknown, ...]
+    substitution: Mapping[str, sp.Expr]
+    live: sp.Basic
+
+    def __post_init__(self) -> None:
+        missing = sorted({g.name for g in self.groups.groups} - set(self.substitution))
+        known = {u.name for u in self.unknowns} | set(self.groups.base)
+        used = {s.name for e in self.substitution.values() for s in sp.sympify(e).free_symbols}
+        if missing or used - known:
+            names = missing or sorted(used - known)
+            raise ModelError(
+                f"reduction of {self.groups.model.name!r}: {', '.join(names)} "
+                + ("has no expression" if missing else "is neither an unknown nor a scale"),
+                usually="A group was forgotten, or an unknown was left out of the list.",
+                paste=f"substitution={{..., {names[0]!r}: ...}}",
+                read="docs/architecture.md, 'Reduction'",
+            )
+
+    def _reduce(self, expression: sp.Expr) -> sp.Expr:
+        replace = {g.symbol: self.substitution[g.name] for g in self.groups.groups}
+        return sp.sympify(expression).subs(replace, simultaneous=True)
+
+    @property
+    def rates(self) -> dict[str, sp.Expr]:
+        """d(x*)/d(t*) in dimensionless states and inputs, unknowns and scales."""
+        return {name: self._reduce(rate) for name, rate in self.groups.rates.items()}
+
+    @property
+    def output_map(self) -> dict[str, sp.Expr]:
+        """Dimensionless outputs in the same symbols."""
+        return {name: self._reduce(out) for name, out in self.groups.output_map.items()}

@@ -1,0 +1,5 @@
+"""What a Run looks like to people and to other programs.
+
+`summary` the JSON object · `table` the Parquet file · `plot` the picture · `terminal` the page ·
+`files` all of them in one folder, complete or not at all.  Nothing here computes physics.
+"""

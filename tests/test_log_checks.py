@@ -1,0 +1,137 @@
+"""Faults of time and cells: refused with row and value, or said in a warning."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from similitude.errors import LogError
+from similitude.log_checks import check_column, check_time
+
+
+def time_of(t, *, header="t [s]", factor=1.0):
+    return check_time(np.asarray(t, float), header=header, factor=factor, file="drive.csv")
+
+
+def even(samples=300, step=0.01):
+    return np.arange(samples) * step
+
+
+def edited(row, value):
+    t = even()
+    t[row - 1 :] = t[row - 1 :] + value
+    return t
+
+
+def test_even_time_is_accepted_in_silence():
+    assert time_of(even()) == ()
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(-1e9, 1e9))
+def test_jitter_below_the_usual_step_is_no_fault(seed, start):
+    steps = np.random.default_rng(seed).uniform(0.006, 0.0139, size=400)
+
+    # The median is above 0.009 or so, and 1.8 of it above every step; at 1e9 s a float still
+    # has 1e-7 s of digits.
+    assert time_of(start + np.cumsum(steps)) == ()
+
+
+REFUSED = {
+    "repeated": (
+        edited(18, -0.01),
+        "repeats in data row 18: 0.16 is followed by 0.16; steps that do not rise: 1,",
+    ),
+    "backward": (edited(18, -0.05), "runs backward in data row 18: 0.16 is followed by 0.12"),
+    "unsorted": (
+        even()[::-1],
+        "runs backward in data row 2: 2.99 is followed by 2.98; steps that do not rise: 299",
+    ),
+    "constant": (np.full(300, 3.0), "is 3 in all 300 rows"),
+    "clock was set": (edited(18, 1e6), r"jumps by 1e\+06 s in data row 18"),
+    "a blank": (np.where(even() == 0.05, np.nan, even()), "no value in data row 6, and in 1 of"),
+    "empty": (np.full(300, np.nan), "in 300 of 300 rows"),
+    "few rows": (even(19), "drive.csv has 19 rows; 20 are the least"),
+    "short": (even(100), "lasts 0.99 s; 2 s are the least"),
+    "slow": (even(100, 3.0), "usual step is 3 s, too slow"),
+    "fast": (even(300, 1e-6), "too fast"),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_a_fault_of_time_is_refused_with_row_and_value(case):
+    t, what = REFUSED[case]
+
+    with pytest.raises(LogError, match=what) as caught:
+        time_of(t)
+
+    assert "drive.csv" in caught.value.what
+    assert all([caught.value.usually, caught.value.paste, caught.value.read])
+
+
+@pytest.mark.parametrize(("unit", "step"), [("ms", 10.0), ("us", 1e4), ("ns", 1e7)])
+def test_time_in_another_unit_is_refused_with_the_guess(unit, step):
+    with pytest.raises(LogError, match=f"look like {unit}") as caught:
+        time_of(even(300, step), header="time [s]")
+
+    assert caught.value.paste == f"time [{unit}]"
+
+
+def test_values_are_shown_in_the_unit_of_the_column():
+    with pytest.raises(LogError, match="160 is followed by 120"):
+        time_of(edited(18, -0.05), header="t [ms]", factor=1e-3)
+
+
+def test_a_long_gap_is_said_with_place_and_length():
+    (said,) = time_of(edited(18, 20.0))
+
+    assert said.startswith("gap of 20 s after t = 0.16 s (data row 18)")
+    assert "restarts" in said
+
+
+def test_many_long_gaps_are_counted():
+    t = even() + np.cumsum(np.arange(300) % 20 == 19) * 2.0
+
+    said = time_of(t)
+
+    assert len(said) == 6
+    assert said[-1].startswith("10 more gaps")
+
+
+def test_short_gaps_are_counted():
+    assert time_of(edited(18, 0.1))[0].startswith("1 short gap")
+
+
+def column_of(values, *, may_rest=False):
+    return check_column(
+        np.asarray(values, float), header="r [deg/s]", file="drive.csv", may_rest=may_rest
+    )
+
+
+@given(st.integers(1, 50))
+def test_missing_cells_up_to_half_are_counted_with_the_first_row(count):
+    values = np.arange(100.0)
+    values[10 : 10 + count] = np.nan
+
+    (said,) = column_of(values)
+
+    assert f"{count} of 100 cells" in said
+    assert "first in data row 11" in said
+
+
+@pytest.mark.parametrize(
+    ("values", "what"),
+    [
+        (np.full(100, np.nan), r"column 'r \[deg/s\]' of drive.csv is empty"),
+        (np.r_[np.arange(49.0), np.full(51, np.nan)], "no number in 51 of 100 rows.*data row 50"),
+        (np.full(51, 0.25), "is stuck: it is 0.25 .* in all 51 rows"),
+        (np.r_[np.full(60, 1.0), np.full(40, np.nan)], "is stuck"),
+    ],
+)
+def test_an_empty_or_stuck_column_is_refused(values, what):
+    with pytest.raises(LogError, match=what):
+        column_of(values)
+
+
+def test_a_constant_speed_and_a_short_constant_are_no_fault():
+    assert column_of(np.full(1000, 20.0), may_rest=True) == ()
+    assert column_of(np.full(50, 20.0)) == ()

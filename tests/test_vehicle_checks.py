@@ -1,0 +1,70 @@
+"""Impossible vehicles are found; real ones never are."""
+
+import csv
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from similitude.units import parse_uncertain
+from similitude.vehicle_checks import find_fault
+
+DATA = Path(__file__).parents[1] / "data"
+
+
+def rows(name):
+    with open(DATA / name, encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def of(**texts):
+    return {name: parse_uncertain(text) for name, text in texts.items()}
+
+
+@pytest.mark.parametrize("row", rows("vehicles_literature.csv"), ids=lambda row: row["vehicle"])
+def test_no_vehicle_of_the_literature_is_refused(row):
+    texts = {
+        header.split(" [")[0]: f"{value} {header.split('[')[1][:-1]}"
+        for header, value in row.items()
+        if "[" in header and value
+    }
+    values = of(**texts)
+    small = values["m"].value < 100
+
+    population = "small_cars_1to10" if small else "passenger_cars"
+    assert find_fault(values, population=population) is None
+
+
+def test_no_production_car_is_refused():
+    for row in rows("opendbc_specs.csv"):
+        names = {"L": "L [m]", "m": "m [kg]", "steering_ratio": "steer_ratio [-]"}
+        units = {"L": "m", "m": "kg", "steering_ratio": "1"}
+        values = of(
+            **{name: f"{row[names[name]]} {units[name]}" for name in names if row[names[name]]}
+        )
+        assert find_fault(values, population="passenger_cars") is None, row
+
+
+def test_no_measured_inertia_is_refused():
+    for row in rows("lvipd_204.csv"):
+        # a b = L^2 / 4 or less, so this is the shortest wheelbase the row allows
+        length = 2 * float(row["ab [m^2]"]) ** 0.5
+        values = of(L=f"{length} m", m=f"{row['m [kg]']} kg", Iz=f"{row['Izz [kg m^2]']} kg m^2")
+        assert find_fault(values, population="passenger_cars") is None, row
+
+
+@given(st.floats(min_value=0.02, max_value=1.0))
+def test_lengths_that_miss_their_sum_by_more_than_rounding_are_found(excess):
+    values = of(L="2.7 m", a="1.2 m", b=f"{1.5 + excess} m")
+
+    fault = find_fault(values, population="passenger_cars")
+
+    assert fault is not None
+    assert fault.key == "L"
+
+
+def test_lengths_within_their_deviations_are_fine():
+    values = of(L="2.70 ± 0.05 m", a="1.20 ± 0.05 m", b="1.60 ± 0.05 m")
+
+    assert find_fault(values, population="passenger_cars") is None
