@@ -72,6 +72,18 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         },
     )
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
+    lines += _refresh(layout)
+    return lines
+
+
+def _refresh(layout: Layout) -> list[Statement]:
+    """Variance given back to the learnt groups, so that hours of driving never make them certain."""
+    P, lines = layout.covariance, []
+    for i, unknown in enumerate(layout.reduction.unknowns):
+        if unknown.role == "estimate":
+            at = layout.coordinates.index(unknown.name)
+            back = dt * S("refresh") * (layout.prior[i, i] - P[at, at])
+            lines.append(Assign(P.target(at, at), P[at, at] + back))
     return lines
 
 

@@ -135,6 +135,7 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("drift", "1/s", f"diffusion of ln {t} while it is observed"),
         Field("idle_drift", "1/s", f"diffusion of ln {t} while nothing is heard of it"),
         Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
+        Field("refresh", "1/s", "rate at which the learnt groups' variance returns to the prior"),
         Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias"),
         Field("timing_error", "s", "timing error between input and output"),
         Field("structure_share", "-", "structural error as a share of the output's activity"),

@@ -65,6 +65,7 @@ def population_filter(reduction: Reduction) -> Program:
         init=tuple(_init(layout)),
         step=tuple(_step(layout)),
         status=STATUS,
+        coordinates=layout.coordinates,
     )
 
 

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1037 at most, 3 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 77 reals, configuration 60 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1049 at most, 3 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 77 reals, configuration 61 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -62,6 +62,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real drift;                   /* [1/s] diffusion of ln K while it is observed */
     bicycle_population_real idle_drift;              /* [1/s] diffusion of ln K while nothing is heard of it */
     bicycle_population_real jump_drift;              /* [1/s] further diffusion per unit of surprise above its limit */
+    bicycle_population_real refresh;                 /* [1/s] rate at which the learnt groups' variance returns to the prior */
     bicycle_population_real bias_drift;              /* [(rad/s)^2/s] random walk of the output bias */
     bicycle_population_real timing_error;            /* [s] timing error between input and output */
     bicycle_population_real structure_share;         /* [-] structural error as a share of the output's activity */
@@ -303,6 +304,9 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
 {
     const bicycle_population_real L = config->L;
     const bicycle_population_real K_prior = config->K_prior;
+    const bicycle_population_real P_prior_4 = config->P_prior[4];
+    const bicycle_population_real P_prior_7 = config->P_prior[7];
+    const bicycle_population_real P_prior_9 = config->P_prior[9];
     const bicycle_population_real prior_information = config->prior_information;
     const bicycle_population_real K_low = config->K_low;
     const bicycle_population_real K_high = config->K_high;
@@ -318,6 +322,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     const bicycle_population_real drift = config->drift;
     const bicycle_population_real idle_drift = config->idle_drift;
     const bicycle_population_real jump_drift = config->jump_drift;
+    const bicycle_population_real refresh = config->refresh;
     const bicycle_population_real bias_drift = config->bias_drift;
     const bicycle_population_real timing_error = config->timing_error;
     const bicycle_population_real structure_share = config->structure_share;
@@ -632,6 +637,9 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         P[27] = P[27] + dt*(diffusion + jump_drift*((R(0.0)) > (surprise - surprise_limit) ? R(0.0) : surprise - surprise_limit));
         P[54] = P[54] + bias_drift*dt;
         disturbance = disturbance*keep_w;
+        P[34] = P[34] + dt*refresh*(P_prior_4 - P[34]);
+        P[40] = P[40] + dt*refresh*(P_prior_7 - P[40]);
+        P[45] = P[45] + dt*refresh*(P_prior_9 - P[45]);
         v_star = d_v_star + v_star;
         r_star = d_r_star + r_star;
         const bicycle_population_real response = output_scale*r_star; /* output of the model */

@@ -9,8 +9,9 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1037
+OPERATIONS = 1049
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
+COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
 CONFIG = (
     ('L', 'm', 'wheelbase', 1),
@@ -37,6 +38,7 @@ CONFIG = (
     ('drift', '1/s', 'diffusion of ln K while it is observed', 1),
     ('idle_drift', '1/s', 'diffusion of ln K while nothing is heard of it', 1),
     ('jump_drift', '1/s', 'further diffusion per unit of surprise above its limit', 1),
+    ('refresh', '1/s', "rate at which the learnt groups' variance returns to the prior", 1),
     ('bias_drift', '(rad/s)^2/s', 'random walk of the output bias', 1),
     ('timing_error', 's', 'timing error between input and output', 1),
     ('structure_share', '-', "structural error as a share of the output's activity", 1),
@@ -130,8 +132,8 @@ def init(config):
     output_bias_sd = config[26]
     v_star_sd = config[27]
     r_star_sd = config[28]
-    disturbance_floor = config[38]
-    disturbance_scale_start = config[42]
+    disturbance_floor = config[39]
+    disturbance_scale_start = config[43]
     v_star = 0.0
     r_star = 0.0
     disturbance = 0.0
@@ -232,6 +234,9 @@ def step(config, state, sample):
     """One sample on the flat state, changed in place; returns (status, flat output)."""
     L = config[0]
     K_prior = config[1]
+    P_prior_4 = config[9]
+    P_prior_7 = config[12]
+    P_prior_9 = config[14]
     prior_information = config[15]
     K_low = config[16]
     K_high = config[17]
@@ -247,32 +252,33 @@ def step(config, state, sample):
     drift = config[30]
     idle_drift = config[31]
     jump_drift = config[32]
-    bias_drift = config[33]
-    timing_error = config[34]
-    structure_share = config[35]
-    structure_time = config[36]
-    activity_rate = config[37]
-    disturbance_floor = config[38]
-    disturbance_share = config[39]
-    disturbance_rate = config[40]
-    disturbance_adapt = config[41]
-    disturbance_scale_low = config[43]
-    disturbance_scale_high = config[44]
-    noise_adapt = config[45]
-    noise_scale_low = config[46]
-    noise_scale_high = config[47]
-    excitation_ratio = config[48]
-    excitation_rate = config[49]
-    surprise_rate = config[50]
-    surprise_limit = config[51]
-    observed_least = config[52]
-    outlier_ratio = config[53]
-    gap = config[54]
-    input_limit = config[55]
-    output_limit = config[56]
-    signal_limit = config[57]
-    validity_limit = config[58]
-    validity_rate = config[59]
+    refresh = config[33]
+    bias_drift = config[34]
+    timing_error = config[35]
+    structure_share = config[36]
+    structure_time = config[37]
+    activity_rate = config[38]
+    disturbance_floor = config[39]
+    disturbance_share = config[40]
+    disturbance_rate = config[41]
+    disturbance_adapt = config[42]
+    disturbance_scale_low = config[44]
+    disturbance_scale_high = config[45]
+    noise_adapt = config[46]
+    noise_scale_low = config[47]
+    noise_scale_high = config[48]
+    excitation_ratio = config[49]
+    excitation_rate = config[50]
+    surprise_rate = config[51]
+    surprise_limit = config[52]
+    observed_least = config[53]
+    outlier_ratio = config[54]
+    gap = config[55]
+    input_limit = config[56]
+    output_limit = config[57]
+    signal_limit = config[58]
+    validity_limit = config[59]
+    validity_rate = config[60]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -603,6 +609,9 @@ def step(config, state, sample):
         P_27 = P_27 + dt*(diffusion + jump_drift*(0.0 if (0.0) > (surprise - surprise_limit) else surprise - surprise_limit))
         P_54 = P_54 + bias_drift*dt
         disturbance = disturbance*keep_w
+        P_34 = P_34 + dt*refresh*(P_prior_4 - P_34)
+        P_40 = P_40 + dt*refresh*(P_prior_7 - P_40)
+        P_45 = P_45 + dt*refresh*(P_prior_9 - P_45)
         v_star = d_v_star + v_star
         r_star = d_r_star + r_star
         response = output_scale*r_star  # output of the model
@@ -709,11 +718,11 @@ def step(config, state, sample):
             move = move + gain_3*innovation
             pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
-            above_move_eta = ((-1.0) if (-1.0) > (move_eta) else move_eta)
+            above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
             bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
             eta = eta*(1.0 + bounded_move_eta*(1.0 + bounded_move_eta*(0.5 + 0.16666666666666666*bounded_move_eta)))
             move_rho = gain_6*innovation
-            above_move_rho = ((-1.0) if (-1.0) > (move_rho) else move_rho)
+            above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
             bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
             rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
             input_offset = input_offset + gain_8*innovation
@@ -733,14 +742,14 @@ def step(config, state, sample):
                 status = 1.0
             if validity > (validity_limit*validity_limit):
                 status = 2.0
-        above_move = ((-1.0) if (-1.0) > (move) else move)
+        above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
         if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
-            K = (K_high if (K_high) < (K if (K) > (K_low) else K_low) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < (pi1 if (pi1) > (pi1_low) else pi1_low) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-            eta = (eta_high if (eta_high) < (eta if (eta) > (eta_low) else eta_low) else (eta if (eta) > (eta_low) else eta_low))
-            rho = (rho_high if (rho_high) < (rho if (rho) > (rho_low) else rho_low) else (rho if (rho) > (rho_low) else rho_low))
+            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
+            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
+            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
+            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
             if usable > 0.5:
                 status = 3.0
         last_input = u_now

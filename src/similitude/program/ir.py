@@ -74,6 +74,7 @@ class Program:
     init: tuple[Statement, ...]
     step: tuple[Statement, ...]
     status: dict[str, int] = field(default_factory=dict)
+    coordinates: tuple[str, ...] = ()  # what the rows of a covariance in the state are
 
     def __post_init__(self) -> None:
         fields = (*self.config, *self.state, *self.sample, *self.output, *self.variables)

@@ -23,6 +23,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 NAME = {name!r}
 OPERATIONS = {operations}
 STATUS = {status!r}
+COORDINATES = {coordinates!r}
 '''
 
 
@@ -35,6 +36,7 @@ def print_python(program: Program) -> str:
             name=program.name,
             operations=operations(program.step, most=True),
             status=program.status,
+            coordinates=program.coordinates,
         )
     ]
     for kind in ("config", "state", "sample", "output"):

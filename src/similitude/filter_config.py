@@ -1,0 +1,96 @@
+"""Numbers of the population filter for a vehicle and a log: prior, sensor and design constants.
+
+Invariant: every number of the configuration is either a design constant below, with its reason,
+or comes from the prior, the vehicle or the log, and is reported under ``assumed``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.population import Prior
+from similitude.program.library import Library
+
+GRAVITY = 9.80665  # m/s^2
+MEASURED_STEER_SD = 0.02  # scale of a measured road-wheel angle, and of the wheelbase
+COMMANDED_STEER_SD = (
+    0.20  # a command, not a measurement: play, compliance and servo gain in between
+)
+
+DESIGN = {
+    "input_offset_sd": 0.02,  # rad: alignment and centring
+    "output_bias_sd": 0.005,  # rad/s: an automotive gyro after start-up
+    "v_star_sd": 0.1,  # sideslip after a restart [-]
+    "r_star_sd": 0.1,  # path curvature times wheelbase after a restart [-]
+    "drift": 1e-4,  # 1/s: tyre temperature and load, 8 % in a minute; jumps are found by surprise
+    "idle_drift": 2e-3,  # 1/s: unheard, K returns to the population within minutes
+    "jump_drift": 0.03,  # 1/s per unit of surprise: a halved stiffness is followed within a second
+    "refresh": 1 / 4000,  # 1/s: an hour of driving does not make the groups certain
+    "bias_drift": 1e-10,  # (rad/s)^2/s
+    "timing_error": 0.010,  # s: steer and gyro are sampled by different clocks
+    "structure_share": 0.01,  # the linear model is wrong by 1 % of the response ...
+    "structure_time": 0.3,  # s ... and stays wrong the same way this long
+    "activity_rate": 1 / 0.3,  # 1/s
+    "disturbance_floor": 1e-3,  # rad: crosswind and camber
+    "disturbance_share": 0.02,  # of the response
+    "disturbance_rate": 1 / 0.7,  # 1/s: a gust, a crown, a rut
+    "disturbance_adapt": 1 / 5.0,  # 1/s
+    "disturbance_scale_start": 0.02,  # small until innovations ask for more: it grows in a second
+    "disturbance_scale_low": 0.002,
+    "disturbance_scale_high": 25.0,
+    "noise_adapt": 1 / 20.0,  # 1/s
+    "noise_scale_low": 0.01,  # noise stated ten times too large or too small is put right
+    "noise_scale_high": 100.0,
+    "excitation_ratio": 0.05,  # a sensitivity of a fifth of the noise, about 0.5 mrad of steer
+    "excitation_rate": 1 / 5.0,  # 1/s
+    "surprise_rate": 1 / 0.5,  # 1/s
+    "surprise_limit": 1.5,  # the mean of 50 squared innovations is 1 with sd sqrt(2/50) = 0.2
+    "observed_least": 0.1,
+    "outlier_ratio": 16.0,  # four sd
+    "gap": 1.0,  # s
+    "input_limit": 1.3,  # rad
+    "output_limit": 12.0,  # rad/s
+    "signal_limit": 150.0,  # m/s
+    "validity_limit": 0.3 * GRAVITY,  # m/s^2: the linear tyre (paper, section 2)
+    "validity_rate": 2 / 0.3,  # 1/s
+}
+LIMIT_SD = 2.5  # of every slow unknown
+LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
+ROOM = 0.5  # of ln K
+
+
+def filter_config(
+    library: Library,
+    prior: Prior,
+    *,
+    L: float,
+    noise_std: float,
+    input_scale_sd: float,
+    **changes: float,
+) -> NDArray[np.float64]:
+    """The flat configuration of the bicycle's population filter.
+
+    Parameters
+    ----------
+    library : the compiled filter.
+    prior : of K, pi1, eta, rho.
+    L : wheelbase [m].
+    noise_std : white noise of the yaw rate a sample [rad/s].
+    input_scale_sd : sd of the steer angle's scale [-].
+    changes : design constants to replace, by name.
+    """
+    widths = LIMIT_SD * prior.std
+    widths[0] = LIMIT_SD_TARGET * np.hypot(prior.std[0], ROOM)
+    low, high = prior.limits(widths)
+    values: dict = {**DESIGN, **changes}
+    values |= {
+        "L": L,
+        "P_prior": prior.covariance[np.triu_indices(len(prior.names))],
+        "prior_information": 1 / prior.covariance[0, 0],
+        "noise_variance": noise_std**2,
+        "input_scale_sd": input_scale_sd,
+    }
+    for i, name in enumerate(prior.names):
+        values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
+    return library.config(values)

@@ -1,0 +1,119 @@
+"""The population filter over a log: samples, configuration, one pass, and what stands at the end.
+
+Invariant: every pass over a log, with whatever lag or prior, goes through `Setup.run`, so the
+scan, the estimate and the predictions use one and the same step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.filter_config import filter_config
+from similitude.log import Log
+from similitude.population import Prior
+from similitude.program.library import Library, shipped
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """All a pass over a log needs; values in SI units."""
+
+    log: Log
+    library: Library
+    prior: Prior
+    L: float  # m
+    noise_std: float  # rad/s
+    input_scale_sd: float  # -
+    lag: float = 0.0  # s
+
+    @property
+    def dt(self) -> NDArray[np.float64]:
+        """Time since the row before, (n,) [s]; the median step for the first row."""
+        steps = np.diff(self.log.t)
+        return np.concatenate([[np.median(steps)], steps])
+
+    def samples(self) -> NDArray[np.float64]:
+        """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
+        steer = self.log.delta
+        if self.lag > 0:
+            steer = np.interp(self.log.t - self.lag, self.log.t, steer)
+        return np.column_stack([self.dt, steer, self.log.U, self.log.r])
+
+    def config(self, **changes: float) -> NDArray[np.float64]:
+        """The filter's configuration; ``changes`` replaces design constants by name."""
+        return filter_config(
+            self.library,
+            self.prior,
+            L=self.L,
+            noise_std=self.noise_std,
+            input_scale_sd=self.input_scale_sd,
+            **changes,
+        )
+
+    def run(self, **changes: float) -> Pass:
+        """One pass over the whole log."""
+        config = self.config(**changes)
+        state = self.library.start(config)
+        outputs, status = self.library.run(config, state, self.samples())
+        return Pass(self, config, state, outputs, status)
+
+    def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
+        """The same with another steer lag [s] and steer scale sd [-]."""
+        return replace(self, lag=lag, input_scale_sd=input_scale_sd)
+
+
+@dataclass(frozen=True, eq=False)
+class Pass:
+    """Outputs (n, fields) and status (n,) of a pass, and the state after its last row."""
+
+    setup: Setup
+    config: NDArray[np.float64]
+    state: NDArray[np.float64]
+    outputs: NDArray[np.float64]
+    status: NDArray[np.int32]
+
+    def output(self, name: str) -> NDArray[np.float64]:
+        """One output over the log, (n,)."""
+        return self.outputs[:, self.setup.library.index("output", name)]
+
+    def value(self, name: str) -> float:
+        """One real of the final state."""
+        return float(self.state[self.setup.library.index("state", name)])
+
+    def covariance(self, names: list[str]) -> NDArray[np.float64]:
+        """Final covariance of the named coordinates, (k, k)."""
+        order = coordinates(self.setup.library)
+        n = len(order)
+        upper = np.zeros((n, n))
+        start = self.setup.library.index("state", "P")
+        upper[np.triu_indices(n)] = self.state[start : start + n * (n + 1) // 2]
+        full = upper + np.triu(upper, 1).T
+        at = [order.index(name) for name in names]
+        return full[np.ix_(at, at)]
+
+    @property
+    def used(self) -> NDArray[np.bool_]:
+        """Rows whose measurement was used, (n,)."""
+        codes = self.setup.library.layout.STATUS
+        unused = [codes[name] for name in ("no_measurement", "too_slow", "bad_sample")]
+        return ~np.isin(self.status, unused)
+
+    @property
+    def cost(self) -> float:
+        """Negative log likelihood of the used innovations [-]."""
+        variance = self.output("innovation_variance")[self.used]
+        innovation = self.output("innovation")[self.used]
+        return float(0.5 * np.sum(np.log(variance) + innovation**2 / variance))
+
+
+def coordinates(library: Library) -> list[str]:
+    """Names of the covariance's coordinates, in order."""
+    return list(library.layout.COORDINATES)
+
+
+def population_setup(log: Log, prior: Prior, **known: float) -> Setup:
+    """A setup of the shipped bicycle filter; ``known`` holds L, noise_std and input_scale_sd."""
+    return Setup(log, shipped("bicycle_population"), prior, **known)

@@ -1,0 +1,142 @@
+"""Handling numbers a chassis engineer asks for, from the unknowns and their joint covariance.
+
+Invariant: each number is a function of (K, pi1, eta, rho) and speed alone; its sd is first order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+GRAVITY = 9.80665  # m/s^2
+Z95 = 1.96
+
+
+def understeer_gradient(K: float, pi1: float, eta: float, rho: float) -> float:
+    """Steer angle per lateral acceleration beyond L/R, rad per m/s^2: (1 - pi1)(1 - 1/eta)/K."""
+    return (1 - pi1) * (1 - 1 / eta) / K
+
+
+def handling(
+    unknowns: dict[str, float], covariance: NDArray[np.float64], *, L: float, U: float
+) -> dict[str, dict[str, float | str]]:
+    """Understeer gradient, characteristic or critical speed, gains and yaw mode at speed U.
+
+    Parameters
+    ----------
+    unknowns : K [m^2/s^2], pi1, eta, rho [-].
+    covariance : (4, 4) of ln K, pi1, ln eta, ln rho.
+    L, U : wheelbase [m] and speed [m/s].
+
+    Returns
+    -------
+    dict    name -> value, std, lo, hi, unit, meaning; numbers that do not exist are left out.
+    """
+    result = {}
+
+    def add(name: str, unit: str, meaning: str, f: Callable[..., float]) -> None:
+        value, std = _propagate(f, unknowns, covariance)
+        if np.isfinite(value) and np.isfinite(std):
+            result[name] = {
+                "value": value,
+                "std": std,
+                "lo": value - Z95 * std,
+                "hi": value + Z95 * std,
+                "unit": unit,
+                "meaning": meaning,
+            }
+
+    per_g = GRAVITY * 180 / np.pi
+    add(
+        "understeer_gradient",
+        "deg/g",
+        "road-wheel steer per lateral acceleration beyond L/R",
+        lambda **p: per_g * understeer_gradient(**p),
+    )
+    gradient = understeer_gradient(**unknowns)
+    if gradient > 0:
+        add(
+            "characteristic_speed",
+            "m/s",
+            "speed of the highest yaw-rate gain",
+            _special_speed(L, 1),
+        )
+    elif gradient < 0:
+        add(
+            "critical_speed", "m/s", "speed beyond which the car is unstable", _special_speed(L, -1)
+        )
+    add(
+        "yaw_rate_gain",
+        "1/s",
+        f"steady yaw rate per road-wheel steer at {U:.1f} m/s",
+        lambda **p: U / (L + understeer_gradient(**p) * U * U),
+    )
+    add(
+        "sideslip_gain",
+        "-",
+        f"steady sideslip per road-wheel steer at {U:.1f} m/s",
+        lambda **p: _sideslip_gain(L, U, **p),
+    )
+    add(
+        "yaw_frequency",
+        "Hz",
+        f"natural frequency of the yaw mode at {U:.1f} m/s",
+        lambda **p: _yaw_mode(L, U, **p)[0],
+    )
+    add(
+        "yaw_damping",
+        "-",
+        f"damping ratio of the yaw mode at {U:.1f} m/s",
+        lambda **p: _yaw_mode(L, U, **p)[1],
+    )
+    return result
+
+
+def _special_speed(L: float, sign: int) -> Callable[..., float]:
+    def speed(**p: float) -> float:
+        inside = sign * L / understeer_gradient(**p)
+        return float(np.sqrt(inside)) if inside > 0 else np.nan
+
+    return speed
+
+
+def _sideslip_gain(L: float, U: float, K: float, pi1: float, eta: float, rho: float) -> float:
+    p2 = 1 - pi1
+    rear = U * U * p2 / (K * eta)  # rear slip angle per r* at steady state
+    return (p2 - rear) / (1 + understeer_gradient(K, pi1, eta, rho) * U * U / L)
+
+
+def _yaw_mode(
+    L: float, U: float, K: float, pi1: float, eta: float, rho: float
+) -> tuple[float, float]:
+    """Natural frequency [Hz] and damping of the characteristic polynomial (paper, eq 19)."""
+    p2 = 1 - pi1
+    pi3 = K / U**2
+    pi4, pi5 = pi3 * eta * pi1 / p2, rho * pi1 * p2
+    stiffness = (pi3 * pi4 - pi1 * pi3 + p2 * pi4) / pi5
+    if stiffness <= 0:
+        return np.nan, np.nan
+    natural = np.sqrt(stiffness)
+    damping = (pi3 + pi4 + (pi1**2 * pi3 + p2**2 * pi4) / pi5) / (2 * natural)
+    return natural * U / L / (2 * np.pi), damping
+
+
+def _propagate(
+    f: Callable[..., float], unknowns: dict[str, float], covariance: NDArray[np.float64]
+) -> tuple[float, float]:
+    """Value and first-order sd, by central differences in the coordinates."""
+    value = float(f(**unknowns))
+    slope = np.zeros(len(unknowns))
+    for i, name in enumerate(unknowns):
+        step = 1e-4
+        sides = []
+        for sign in (1, -1):
+            moved = dict(unknowns)
+            moved[name] = (
+                moved[name] + sign * step if name == "pi1" else moved[name] * np.exp(sign * step)
+            )
+            sides.append(float(f(**moved)))
+        slope[i] = (sides[0] - sides[1]) / (2 * step)
+    return value, float(np.sqrt(max(slope @ covariance @ slope, 0.0)))

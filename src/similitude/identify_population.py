@@ -1,0 +1,231 @@
+"""The population filter applied to a log: setup, lag, estimate, verdict, and what was assumed.
+
+Invariant: the verdict is decided on the pass whose numbers are reported.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
+from similitude.filter_run import Pass, Setup, population_setup
+from similitude.handling import handling
+from similitude.log import Log
+from similitude.noise import SensorNoise, sensor_noise
+from similitude.population import Prior
+from similitude.prediction import predict_ahead
+from similitude.run import Assumed, Estimate, Group, Nuisance, Run, Trace, positive_estimate
+from similitude.status import STATUS
+from similitude.steer_lag import LagScan, find_lag, looks_like_command
+from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import NAMES, vehicle_prior
+from similitude.verdict import Evidence, verdict
+
+MEANING = {
+    "K": "Caf L/m, front cornering stiffness per mass and length",
+    "pi1": "a/L, position of the centre of gravity",
+    "eta": "Car b/(Caf a), rear over front cornering coefficient",
+    "rho": "Iz/(m a b), yaw inertia ratio",
+}
+UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
+GRAVITY = 9.80665  # m/s^2
+LINEAR = 0.3 * GRAVITY  # m/s^2
+SCALE_STEP = 0.05  # of the steer angle, to see what its scale does to K
+
+
+def identify_population(log: Log, vehicle: Vehicle) -> Run:
+    """Run the population filter over a log; see `similitude.run.identify`."""
+    prior = vehicle_prior(vehicle)
+    noise = _noise(log, vehicle)
+    setup = population_setup(
+        log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
+    )
+    scan = find_lag(setup, vehicle)
+    commanded = looks_like_command(scan)
+    setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
+    done = setup.run()
+    trace = _trace(done)
+    code, reason = verdict(_evidence(done, trace))
+    K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
+    unknowns = {name: done.value(name) for name in NAMES}
+    speed = float(np.median(trace.U[done.used])) if done.used.any() else float(trace.U[-1])
+    return Run(
+        log=log,
+        vehicle=vehicle,
+        estimator="population",
+        trace=trace,
+        verdict=code,
+        reason=reason,
+        K=K,
+        pi3={"value": trace.pi3[-1], "std": trace.pi3_std[-1], "at_speed": trace.U[-1]},
+        groups=_groups(done, prior),
+        nuisance=_nuisance(done),
+        lag=scan,
+        prediction=predict_ahead(setup),
+        handling=handling(unknowns, done.covariance(list(NAMES)), L=setup.L, U=speed),
+        warnings=(*log.warnings, *_warnings(setup, done, scan, commanded)),
+        assumed=_assumed(setup, vehicle, prior, noise, scan, commanded),
+        Caf=_axle_stiffness(vehicle, K),
+    )
+
+
+def _noise(log: Log, vehicle: Vehicle) -> SensorNoise:
+    if vehicle.yaw_rate_noise is not None:
+        return SensorNoise(vehicle.yaw_rate_noise.value, 1.0, 0.0)
+    return sensor_noise(log.r)
+
+
+def _trace(done: Pass) -> Trace:
+    """Rows of the log; a missing speed is that of the row before."""
+    setup = done.setup
+    log = setup.log
+    U = _held(log.U)
+    K = done.output("estimate")
+    std = np.sqrt(done.output("variance"))
+    slowest = np.sqrt(setup.prior.mean[0] / 10)
+    pi3 = K / np.maximum(np.abs(U), slowest) ** 2
+    predicted = done.output("predicted")
+    innovation = np.where(np.isfinite(log.r) & done.used, done.output("innovation"), np.nan)
+    return Trace(
+        t=log.t,
+        K=K,
+        ln_K_std=std,
+        pi3=pi3,
+        pi3_std=pi3 * std,
+        r_measured=log.r,
+        r_predicted=predicted,
+        innovation=innovation,
+        innovation_std=np.sqrt(done.output("innovation_variance")),
+        information=done.output("information_gained"),
+        U=U,
+        ay_kinematic=U * predicted,
+        status=done.status,
+    )
+
+
+def _held(values: np.ndarray) -> np.ndarray:
+    """Missing values replaced by the last one before (or the first one after)."""
+    known = np.flatnonzero(np.isfinite(values))
+    if not known.size:
+        return np.zeros_like(values)
+    at = np.maximum(np.searchsorted(known, np.arange(len(values)), side="right") - 1, 0)
+    return values[known[at]]
+
+
+def _evidence(done: Pass, trace: Trace) -> Evidence:
+    prior, log = done.setup.prior, done.setup.log
+    library = done.setup.library
+    edges = []
+    for name in NAMES[1:]:
+        low, high = (
+            done.config[library.index("config", f"{name}_{side}")] for side in ("low", "high")
+        )
+        if not low < done.value(name) < high:
+            edges.append(name)
+    missing = ~(np.isfinite(log.r) & np.isfinite(log.delta) & np.isfinite(log.U))
+    rejected = missing | (trace.status == STATUS["bad_sample"])
+    return Evidence(
+        ln_K_std=trace.ln_K_std[-1],
+        prior_std=prior.std[0],
+        ln_K_away=float(np.log(trace.K[-1] / prior.mean[0])),
+        information=trace.information,
+        outside=np.abs(trace.ay_kinematic) > LINEAR,
+        status=trace.status,
+        rejected=float(np.mean(rejected)),
+        noise_scale=done.value("noise_scale"),
+        at_limit=tuple(edges),
+        finite=bool(np.isfinite(trace.K).all() and np.isfinite(trace.ln_K_std).all()),
+    )
+
+
+def _groups(done: Pass, prior: Prior) -> dict[str, Group]:
+    groups = {}
+    std = np.sqrt(np.diag(done.covariance(list(NAMES))))
+    for i, name in enumerate(NAMES):
+        value = done.value(name)
+        scale = prior.mean[i] if prior.kinds[i] == "log" else 1.0
+        now = value if prior.kinds[i] == "log" else 1.0
+        groups[name] = Group(
+            value, now * std[i], float(prior.mean[i]), float(scale * prior.std[i]), MEANING[name]
+        )
+    return groups
+
+
+def _nuisance(done: Pass) -> dict[str, Nuisance]:
+    names = {
+        "yaw_bias": "output_bias",
+        "steer_offset": "input_offset",
+        "disturbance": "disturbance",
+    }
+    units = {"yaw_bias": "rad/s", "steer_offset": "rad", "disturbance": "rad"}
+    std = np.sqrt(np.diag(done.covariance(list(names.values()))))
+    return {
+        name: Nuisance(done.value(field), float(s), units[name])
+        for (name, field), s in zip(names.items(), std, strict=True)
+    }
+
+
+def _warnings(setup: Setup, done: Pass, scan: LagScan, commanded: bool) -> list[str]:
+    lines = []
+    if setup.library.why_slow:
+        lines.append(f"running the scalar Python twin, {setup.library.why_slow}")
+    if commanded:
+        lines.append(
+            f"the steer acts {1000 * scan.chosen:.0f} ms after its column says so: it looks like a command, "
+            "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
+        )
+    slope = _scale_slope(setup)
+    if np.isfinite(slope) and done.value("information") > 0:
+        lines.append(
+            f"K and steer scale trade: were the steer angle 5 % larger than logged, "
+            f"K would read {100 * slope:+.0f} %"
+        )
+    if setup.log.rate < 20:
+        lines.append(
+            f"{setup.log.rate:.1f} samples a second are few for yaw dynamics; 50 or more are better"
+        )
+    return lines
+
+
+def _scale_slope(setup: Setup) -> float:
+    """Relative change of K when the steer angle is scaled up by 5 %."""
+    samples = setup.samples()
+    ends = []
+    for scale in (1.0, 1.0 + SCALE_STEP):
+        config = setup.config()
+        state = setup.library.start(config)
+        setup.library.run(config, state, samples * np.array([1.0, scale, 1.0, 1.0]))
+        ends.append(state[setup.library.index("state", "K")])
+    return float(ends[1] / ends[0] - 1)
+
+
+def _assumed(
+    setup: Setup, vehicle: Vehicle, prior: Prior, noise: SensorNoise, scan: LagScan, commanded: bool
+) -> dict[str, Assumed]:
+    stated = vehicle.yaw_rate_noise is not None
+    scale = "the steer looks like a command" if commanded else "a measured road-wheel angle"
+    assumed = {
+        name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name])
+        for i, name in enumerate(NAMES)
+    }
+    return assumed | {
+        "population": Assumed(
+            vehicle.population, "-", vehicle.origins.get("population", "default")
+        ),
+        "L": Assumed(setup.L, "m", vehicle.origins.get("L", "vehicle file")),
+        "yaw_rate_noise": Assumed(
+            noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
+        ),
+        "steer_lag": Assumed(scan.chosen, "s", scan.origin),
+        "steer_scale_std": Assumed(setup.input_scale_sd, "-", scale),
+    }
+
+
+def _axle_stiffness(vehicle: Vehicle, K: Estimate) -> Estimate | None:
+    """Caf = K m/L where the mass is known; its own sd counts."""
+    if vehicle.m is None or vehicle.L is None:
+        return None
+    own = (vehicle.m.sd or 0.0) / vehicle.m.value
+    return positive_estimate(
+        K.value * vehicle.m.value / vehicle.L.value, float(np.hypot(K.std / K.value, own)), "N/rad"
+    )

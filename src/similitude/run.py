@@ -1,0 +1,145 @@
+"""Run: an estimator over a log, with everything the reports say.
+
+Invariant: every number of a Run is finite (where there was no measurement, its innovation is NaN),
+and whatever was not in the log is listed under ``assumed`` with where it came from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.errors import UsageError
+from similitude.log import Log
+from similitude.steer_lag import LagScan
+from similitude.vehicle_file import Vehicle
+
+Z95 = 1.96
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A value with its sd and 95 % interval."""
+
+    value: float
+    std: float
+    lo: float
+    hi: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Group:
+    """A slow unknown at the end of the log, beside what the population said."""
+
+    value: float
+    std: float
+    prior_value: float
+    prior_std: float
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Nuisance:
+    """A quantity the estimate had to live with."""
+
+    value: float
+    std: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Assumed:
+    """A number that was not in the log, and where it came from."""
+
+    value: float | str | None
+    unit: str
+    origin: str
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """The estimate row by row, (n,) each; ``innovation`` is NaN where nothing was measured."""
+
+    t: NDArray[np.float64]
+    K: NDArray[np.float64]
+    ln_K_std: NDArray[np.float64]
+    pi3: NDArray[np.float64]
+    pi3_std: NDArray[np.float64]
+    r_measured: NDArray[np.float64]
+    r_predicted: NDArray[np.float64]
+    innovation: NDArray[np.float64]
+    innovation_std: NDArray[np.float64]
+    information: NDArray[np.float64]
+    U: NDArray[np.float64]
+    ay_kinematic: NDArray[np.float64]
+    status: NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """What `identify` found in one log."""
+
+    log: Log
+    vehicle: Vehicle
+    estimator: str
+    trace: Trace
+    verdict: str
+    reason: str
+    K: Estimate
+    pi3: Mapping[str, float]
+    groups: Mapping[str, Group]
+    nuisance: Mapping[str, Nuisance]
+    lag: LagScan
+    prediction: Mapping[str, float]
+    handling: Mapping[str, Mapping[str, float | str]]
+    warnings: tuple[str, ...]
+    assumed: Mapping[str, Assumed]
+    Caf: Estimate | None = None
+    alarms: tuple = ()
+
+
+def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Run:
+    """Identify the tyre stiffness of a vehicle from a log.
+
+    Parameters
+    ----------
+    log : Log            t [s], delta [rad], r [rad/s], U [m/s].
+    vehicle : Vehicle    with a wheelbase.
+    estimator : ``population`` (default) or ``paper``.
+
+    Returns
+    -------
+    Run                  the estimate over time, its worth, and what it rests on.
+
+    Raises
+    ------
+    UsageError           the wheelbase is missing or the estimator has another name.
+
+    References
+    ----------
+    Brennan & Alleyne 2004 for the method; docs/identify.md for what the numbers mean.
+    """
+    if estimator == "population":
+        from similitude.identify_population import identify_population
+
+        return identify_population(log, vehicle)
+    if estimator == "paper":
+        from similitude.identify_paper import identify_paper
+
+        return identify_paper(log, vehicle)
+    raise UsageError(
+        f"there is no estimator {estimator!r} (there are population, paper)",
+        usually="the name was misspelt.",
+        paste='identify(log, vehicle, estimator="population")',
+        read='docs/identify.md, "Estimators"',
+    )
+
+
+def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:
+    """Estimate of a positive quantity from the sd of its logarithm; 95 % is value exp(±1.96 sd)."""
+    factor = float(np.exp(Z95 * min(log_std, 300.0)))
+    return Estimate(value, value * log_std, value / factor, value * factor, unit)

@@ -1,0 +1,96 @@
+"""The prior of a named vehicle: its population, conditioned on what the vehicle file says.
+
+    K = Caf L/m [m^2/s^2]    pi1 = a/L    eta = Car b/(Caf a)    rho = Iz/(m a b)
+
+Sources of the populations: K and pi1 of passenger cars are the averages of Brennan & Alleyne
+(2004, eq 18); eta from five full-size cars with published axle stiffness and the paper's averages;
+rho from 204 vehicles of the NHTSA inertial database. Small cars: K of the paper's test vehicle per
+g L, the rest wide enough to hold it.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from similitude.errors import UsageError
+from similitude.population import Prior
+from similitude.vehicle_file import Vehicle
+
+NAMES = ("K", "pi1", "eta", "rho")
+KINDS = ("log", "linear", "log", "log")
+GRAVITY = 9.80665  # m/s^2
+
+# population: mean K [m^2/s^2], or K/(g L) [-] where K_per_gL; sds are those of the coordinates
+POPULATIONS = {
+    "passenger_cars": {"K": 145.68, "pi1": 0.4431, "eta": 1.42, "rho": 1.017},
+    "small_cars_1to10": {"K_per_gL": 1.22, "pi1": 0.45, "eta": 1.6, "rho": 0.95},
+}
+SPREADS = {
+    "passenger_cars": (0.5, 0.03, 0.13, 0.09),
+    "small_cars_1to10": (0.7, 0.04, 0.30, 0.15),
+}
+FILE_SD = 0.10  # of the logarithm of a stiffness ratio or an inertia whose sd was not stated
+FILE_SD_PI1 = 0.02  # of a/L
+ROAD_SD = 0.35  # of ln K: road, tyre and load against the day the stiffness was measured
+
+
+def vehicle_prior(vehicle: Vehicle) -> Prior:
+    """Prior of the four unknowns of the bicycle for a vehicle.
+
+    Parameters
+    ----------
+    vehicle : Vehicle    with a wheelbase.
+
+    Returns
+    -------
+    Prior                of K, pi1, eta and rho, with the origin of each.
+
+    Raises
+    ------
+    UsageError           the wheelbase is not known.
+    """
+    if vehicle.L is None:
+        raise UsageError(
+            f"vehicle {vehicle.name!r} has no wheelbase L [m]",
+            usually="the mass was left out on purpose and the wheelbase with it; the mass cancels, L does not.",
+            paste='L = "2.69 m"',
+            read='docs/vehicle.md, "The vehicle file"',
+        )
+    prior = _population(vehicle)
+    L = vehicle.L.value
+    if vehicle.a is not None:
+        std = (vehicle.a.sd / L) if vehicle.a.sd else FILE_SD_PI1
+        prior = prior.known("pi1", vehicle.a.value / L, std, "a / L of the vehicle file")
+    if vehicle.m and vehicle.a and vehicle.b and vehicle.Iz:
+        rho = vehicle.Iz.value / (vehicle.m.value * vehicle.a.value * vehicle.b.value)
+        std = vehicle.Iz.sd / vehicle.Iz.value if vehicle.Iz.sd else FILE_SD
+        prior = prior.observe("rho", rho, std, "population and Iz/(m a b) of the vehicle file")
+    if vehicle.Caf and vehicle.m:
+        K = vehicle.Caf.value * L / vehicle.m.value
+        own = vehicle.Caf.sd / vehicle.Caf.value if vehicle.Caf.sd else FILE_SD
+        std = math.hypot(own, ROAD_SD)
+        prior = prior.observe("K", K, std, "population and Caf L/m of the vehicle file")
+    if vehicle.Caf and vehicle.Car and vehicle.a and vehicle.b:
+        eta = vehicle.Car.value * vehicle.b.value / (vehicle.Caf.value * vehicle.a.value)
+        prior = prior.observe(
+            "eta", eta, FILE_SD, "population and Car b/(Caf a) of the vehicle file"
+        )
+    return prior
+
+
+def _population(vehicle: Vehicle) -> Prior:
+    mean = dict(POPULATIONS[vehicle.population])
+    per_length = mean.pop("K_per_gL", None)
+    if per_length is not None:
+        mean["K"] = per_length * GRAVITY * vehicle.L.value
+    spread = np.array(SPREADS[vehicle.population])
+    origin = f"population {vehicle.population}"
+    return Prior(
+        NAMES,
+        KINDS,
+        np.array([mean[n] for n in NAMES]),
+        np.diag(spread**2),
+        dict.fromkeys(NAMES, origin),
+    )

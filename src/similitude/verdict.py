@@ -1,0 +1,113 @@
+"""Verdict: what a result is worth, as a code and one sentence in the user's terms.
+
+Invariant: the sentence holds the numbers the verdict was decided on.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.status import STATUS
+
+VERDICTS = (
+    "identified",
+    "weak",
+    "not_excited",
+    "outside_model",
+    "outside_population",
+    "bad_data",
+    "diverged",
+)
+IDENTIFIED_STD = 0.15  # of ln K
+PRIOR_SHARE = 0.5  # of the prior's sd
+REJECTED_SHARE = 0.20
+OUTSIDE_SHARE = 0.50  # of the information, beyond the linear range
+CONTRADICTION = 25.0  # noise variance against what the sensor explains: five sd for one
+POPULATION_SD = 2.5
+ROAD_ROOM = np.log(4.0)  # ln K may lie this much further down: ice is a road too
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """What a verdict rests on; arrays are (n,) over the log."""
+
+    ln_K_std: float
+    prior_std: float
+    ln_K_away: float  # ln of K over the population's
+    information: NDArray[np.float64]  # cumulative
+    outside: NDArray[np.bool_]  # rows beyond the linear range
+    status: NDArray[np.int32]
+    rejected: float  # share of rows that could not be used for want of a value
+    noise_scale: float  # against the sensor's noise
+    at_limit: tuple[str, ...] = ()  # groups that ended at the edge of the population
+    finite: bool = True
+
+
+def verdict(e: Evidence) -> tuple[str, str]:
+    """Code and reason; the first that applies in the order of severity."""
+    sd = f"{100 * e.ln_K_std:.0f} %"
+    if e.rejected > REJECTED_SHARE:
+        return "bad_data", (
+            f"{100 * e.rejected:.0f} % of the samples had no usable value, more than 20 %; "
+            "mend the recording first."
+        )
+    if not e.finite:
+        return "diverged", "The estimate is not finite; please report this log."
+    slow = float(np.mean(e.status == STATUS["too_slow"]))
+    if e.ln_K_std > PRIOR_SHARE * e.prior_std:
+        return "not_excited", _not_excited(e, sd, slow)
+    share = _outside_share(e)
+    if share > OUTSIDE_SHARE:
+        return "outside_model", (
+            f"{100 * share:.0f} % of what was learnt came from beyond 0.3 g, where tyres are no longer "
+            f"linear; K = value ± {sd} is an average slope, not the stiffness at small slip."
+        )
+    if e.noise_scale > CONTRADICTION:
+        return "outside_model", (
+            f"The yaw rate differs from every car of the population by {np.sqrt(e.noise_scale):.0f} times "
+            "the sensor's noise; steer scale, units or a saturating tyre are the usual causes."
+        )
+    if e.at_limit or not -POPULATION_SD * e.prior_std - ROAD_ROOM < e.ln_K_away < (
+        POPULATION_SD * e.prior_std
+    ):
+        return "outside_population", _outside_population(e)
+    if e.ln_K_std <= IDENTIFIED_STD:
+        return "identified", f"The drive shows the stiffness to ± {sd} (one sd)."
+    return "weak", (
+        f"The drive shows the stiffness to ± {sd} (one sd), which is not yet the 15 % that counts as "
+        "identified; more steering or a measured steer angle would help."
+    )
+
+
+def _not_excited(e: Evidence, sd: str, slow: float) -> str:
+    if slow > 0.5:
+        return (
+            f"The vehicle was too slow for its tyres to show in {100 * slow:.0f} % of the log; K is known to "
+            f"± {sd}, hardly better than the population's ± {100 * e.prior_std:.0f} %."
+        )
+    return (
+        f"The steering says too little: K is known to ± {sd}, against ± {100 * e.prior_std:.0f} % before the "
+        "drive. A lane change or two at speed would settle it."
+    )
+
+
+def _outside_population(e: Evidence) -> str:
+    if e.at_limit:
+        return (
+            f"{', '.join(e.at_limit)} ended at the edge of what the population allows; a wrong wheelbase, "
+            "steering ratio or population is the usual cause."
+        )
+    return (
+        f"K is {np.exp(e.ln_K_away):.1f} times the population's, further than its spread allows; the scale of "
+        "the steer angle is the usual cause, since K and steer scale trade."
+    )
+
+
+def _outside_share(e: Evidence) -> float:
+    """Share of the information gained on rows beyond the linear range."""
+    gained = np.diff(e.information, prepend=0.0)
+    total = float(gained.sum())
+    return float(gained[e.outside].sum()) / total if total > 0 else 0.0
