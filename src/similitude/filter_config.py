@@ -26,9 +26,9 @@ DESIGN = {
     "drift": 1e-4,  # 1/s: tyre temperature and load, 8 % in a minute; jumps are found by surprise
     "idle_drift": 2e-3,  # 1/s: unheard, K returns to the population within minutes
     "jump_drift": 0.03,  # 1/s per unit of surprise: a halved stiffness is followed within a second
-    "refresh": 1 / 4000,  # 1/s: an hour of driving does not make the groups certain
     "bias_drift": 1e-10,  # (rad/s)^2/s
     "timing_error": 0.010,  # s: steer and gyro are sampled by different clocks
+    "companion_rate": 1.0,  # 1/s: slow against the gyro's noise, fast enough for an unstable car
     "structure_share": 0.01,  # the linear model is wrong by 1 % of the response ...
     "structure_time": 0.3,  # s ... and stays wrong the same way this long
     "activity_rate": 1 / 0.3,  # 1/s

@@ -74,7 +74,8 @@ class Reduction:
 
     def _reduce(self, expression: sp.Expr) -> sp.Expr:
         replace = {g.symbol: self.substitution[g.name] for g in self.groups.groups}
-        return sp.sympify(expression).subs(replace, simultaneous=True)
+        reduced = sp.sympify(expression).subs(replace, simultaneous=True)
+        return _structured(reduced, [u.symbol for u in self.unknowns if u.kind == "log"])
 
     @property
     def rates(self) -> dict[str, sp.Expr]:
@@ -85,3 +86,14 @@ class Reduction:
     def output_map(self) -> dict[str, sp.Expr]:
         """Dimensionless outputs in the same symbols."""
         return {name: self._reduce(out) for name, out in self.groups.output_map.items()}
+
+
+def _structured(expression: sp.Expr, symbols: list[sp.Symbol]) -> sp.Expr:
+    """The expression as nested sums of powers of the symbols with factored coefficients.
+
+    A rate then reads as its forces do, and its derivatives share them.
+    """
+    if not symbols:
+        return sp.factor(expression)
+    parts = sp.collect(sp.expand(expression), symbols[0], evaluate=False)
+    return sp.Add(*(power * _structured(part, symbols[1:]) for power, part in parts.items()))

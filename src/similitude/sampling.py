@@ -1,10 +1,12 @@
 """One implicit second-order step of x' = f(x, p), with its Jacobians, as symbols.
 
-    N = I - hJ + (hJ)^2/2,      G = h N^-1 (I - hJ/2),      x+ = x + G f(x)
+    J = (h/6) df/dx,    N = I - 2J + 3/2 J^2,    E = N^-1 (I + J),    M = E E
+    G = (h/4) N^-1 (2I - J) (E + I),             x+ = x + G f(x)
 
-For a linear f this is the (0,2) Pade approximant of exp(hJ): second order, L-stable, exact at
-steady state, one small inverse; for a nonlinear f with J = df/dx it stays second order
-(Rosenbrock form). The Jacobians are those of the same step: dx+/dx = N^-1, dx+/dp = G df/dp
+E is the (1,2) Pade approximant of the exponential over half the step; its square is within 0.2 %
+of the exponential for every stable eigenvalue up to |h lambda| = 1, L-stable, positive on the whole
+real axis and exact at steady state, for one small inverse. For a nonlinear f the step is of second
+order (exponential Rosenbrock form). The Jacobians are those of the same step: dx+/dx = M, dx+/dp = G df/dp
 
 (taken with df/dp at the start of the step, which leaves dx+/dp exact at steady state).
 Invariant: no branch, no sub-steps; bounded for any h and any stable J, sign-right as h -> infinity.
@@ -17,6 +19,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from similitude.matrix_function import MatrixFunction
 from similitude.program.ir import Assign, shared
 
 h = sp.Symbol("h", real=True)  # dimensionless length of the step [-]
@@ -34,10 +37,15 @@ class ImplicitStep:
     after: sp.Matrix
     by_state: sp.Matrix
     by_parameter: dict[str, sp.Matrix]
+    companion_after: sp.Matrix
 
 
 def implicit_step(
-    rates: Sequence[sp.Expr], states: Sequence[sp.Symbol], *, parameters: Mapping[str, sp.Expr]
+    rates: Sequence[sp.Expr],
+    states: Sequence[sp.Symbol],
+    *,
+    parameters: Mapping[str, sp.Expr],
+    companion: Mapping[sp.Symbol, sp.Symbol] | None = None,
 ) -> ImplicitStep:
     """Derive the step for the given rates.
 
@@ -46,6 +54,8 @@ def implicit_step(
     rates : (n,) dx/dt* in states and anything else [-].
     states : (n,) symbols of the states before the step.
     parameters : name -> dp/d(coordinate), for each symbol whose sensitivity is wanted.
+    companion : symbols of states and inputs -> those of the companion trajectory; none: the
+        trajectory itself.
 
     Returns
     -------
@@ -54,8 +64,9 @@ def implicit_step(
     n = len(states)
     f = sp.Matrix(rates)
     J = f.jacobian(sp.Matrix(states))
-    hJ = _matrix(n, "J", lambda i, j: J[i, j] != 0)
-    lines = _shared(f, J, states, parameters) + _inverse(hJ, n)
+    scaled = _matrix(n, "J", lambda i, j: J[i, j] != 0)
+    path = companion or {}
+    lines = _shared(f, J, states, parameters, path) + _inverse(scaled, n)
     M, G = (_matrix(n, letter, lambda i, j: True) for letter in "MG")
     rate = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in states])
     change = sp.Matrix([sp.Symbol(f"d_{x.name}", real=True) for x in states])
@@ -63,25 +74,34 @@ def implicit_step(
         Assign(f"d_{x.name}", (G * rate)[i], "change over the step [-]")
         for i, x in enumerate(states)
     ]
+    followers = [path[x] for x in states if x in path]
+    rate_of = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in followers])
+    lines += [Assign(f"d_{x.name}", (G * rate_of)[i]) for i, x in enumerate(followers)]
+    moved = sp.Matrix([x + sp.Symbol(f"d_{x.name}", real=True) for x in followers])
     by_parameter = {}
     for name in parameters:
         inner = sp.Matrix([sp.Symbol(f"f_{x.name}_{name}", real=True) for x in states])
         lines += [Assign(f"F_{x.name}_{name}", (G * inner)[i]) for i, x in enumerate(states)]
         by_parameter[name] = sp.Matrix([sp.Symbol(f"F_{x.name}_{name}", real=True) for x in states])
-    return ImplicitStep(tuple(lines), sp.Matrix(states) + change, M, by_parameter)
+    return ImplicitStep(tuple(lines), sp.Matrix(states) + change, M, by_parameter, moved)
 
 
 def _shared(
-    f: sp.Matrix, J: sp.Matrix, states: Sequence[sp.Symbol], parameters: Mapping[str, sp.Expr]
+    f: sp.Matrix,
+    J: sp.Matrix,
+    states: Sequence[sp.Symbol],
+    parameters: Mapping[str, sp.Expr],
+    path: Mapping[sp.Symbol, sp.Symbol],
 ) -> list[Assign]:
-    """Rates, hJ and df/dp with their common parts taken out together, each reciprocal taken once."""
+    """Rates, (h/6) df/dx and df/dp with their common parts taken out together, each reciprocal once."""
     named = {f"f_{x.name}": f[i] for i, x in enumerate(states)}
+    named |= {f"f_{path[x].name}": f[i].xreplace(path) for i, x in enumerate(states) if x in path}
     named |= {
-        f"J_{i}{j}": h * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0
+        f"J_{i}{j}": h / 6 * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0
     }
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
-        named |= {f"f_{x.name}_{name}": column[i] for i, x in enumerate(states)}
+        named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
     named, reciprocals = _reciprocals(named)
     return reciprocals + shared("c", named, {f"f_{x.name}": "rate [-]" for x in states})
 
@@ -96,25 +116,18 @@ def _reciprocals(named: Mapping[str, sp.Expr]) -> tuple[dict[str, sp.Expr], list
     return {name: e.xreplace(replace) for name, e in named.items()}, lines
 
 
-def _inverse(hJ: sp.Matrix, n: int) -> list[Assign]:
-    """Statements for M = N^-1 and G = h M (I - hJ/2)."""
-    N = sp.eye(n) - hJ + (hJ * hJ) / 2
-    lines = [Assign(f"N_{i}{j}", N[i, j]) for i in range(n) for j in range(n)]
-    symbols = _matrix(n, "N", lambda i, j: True)
-    adjugate = symbols.adjugate()
-    scale = sp.Symbol("inv_det", real=True)
-    lines.append(
-        Assign("inv_det", 1 / symbols.det(method="berkowitz"), "det N > 0 for every real J")
-    )
-    entries = [(i, j) for i in range(n) for j in range(n)]
-    lines += [
-        Assign(f"M_{i}{j}", scale * adjugate[i, j], "dx+/dx" if i + j == 0 else "")
-        for i, j in entries
-    ]
-    M, B = (_matrix(n, letter, lambda i, j: True) for letter in "MB")
-    half = h * (sp.eye(n) - hJ / 2)
-    lines += [Assign(f"B_{i}{j}", half[i, j]) for i, j in entries]
-    return lines + [Assign(f"G_{i}{j}", (M * B)[i, j]) for i, j in entries]
+def _inverse(J: sp.Matrix, n: int) -> list[Assign]:
+    """Statements for M = dx+/dx and G = change of the states per rate."""
+    of = MatrixFunction(J)
+    N = of.named("n", of.reduced([1, -2, sp.Rational(3, 2)]))
+    D = of.inverse(N, "i", "det N > 0 for every real J")
+    E = of.named("E", of.product(D, of.reduced([1, 1])), "half a step")
+    H = of.named("H", of.product(D, of.reduced([h / 2, -h / 4])), "change per rate over half a step")
+    whole = of.named("m", of.product(E, E))
+    change = of.named("g", of.product(H, of.reduced([E[0] + 1, *E[1:]])))
+    of.matrix(whole, "M", "dx+/dx")
+    of.matrix(change, "G", "change per rate")
+    return of.lines
 
 
 def _matrix(n: int, letter: str, present: Callable[[int, int], bool]) -> sp.Matrix:

@@ -52,7 +52,7 @@ def bicycle_response(
     changes = (np.diff(speed, axis=1) != 0).any(axis=0) | (np.diff(stiffness, axis=1) != 0).any(
         axis=0
     )
-    changes[1:] |= np.abs(np.diff(dt)) > 1e-9
+    changes[:-1] |= np.abs(np.diff(dt)) > 1e-9
     for k in range(shape[1] - 1):
         if k == 0 or changes[k - 1]:
             A, B = _matrices(speed[:, k], stiffness[:, k], length, p1, ratio, inertia)

@@ -72,18 +72,6 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         },
     )
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
-    lines += _refresh(layout)
-    return lines
-
-
-def _refresh(layout: Layout) -> list[Statement]:
-    """Variance given back to the learnt groups, so that hours of driving never make them certain."""
-    P, lines = layout.covariance, []
-    for i, unknown in enumerate(layout.reduction.unknowns):
-        if unknown.role == "estimate":
-            at = layout.coordinates.index(unknown.name)
-            back = dt * S("refresh") * (layout.prior[i, i] - P[at, at])
-            lines.append(Assign(P.target(at, at), P[at, at] + back))
     return lines
 
 
@@ -105,9 +93,13 @@ def _pull(layout: Layout) -> list[Statement]:
         Assign("away", 2 * p * (15 * qq - 4 * pp) / (q * (15 * qq - 9 * pp)), f"ln({x}/{x0})"),
     ]
     return [
-        Assign("diffusion", S("idle_drift")),
         Assign("lost", sp.Min(1, dt * S("idle_drift") * S("prior_information") / 2)),
         Assign("keep", 1 - S("lost")),
+        Assign(
+            "diffusion",
+            S("lost") * (1 + S("keep")) / (dt * S("prior_information")),
+            "for long: the prior variance",
+        ),
         *(Assign(P.target(t, j), P[t, j] * S("keep")) for j in range(P.n)),
         Assign(P.target(t, t), P[t, t] * S("keep")),
         *(logarithm if unknown.kind == "log" else [Assign("away", x - x0)]),
@@ -313,10 +305,13 @@ def _adapt(layout: Layout) -> list[Statement]:
         ),
         *_limit("disturbance_scale"),
         When(
-            S("excited") < sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["not_excited"])),)
+            sp.And(S("excited") < sp.Rational(1, 2), S("status") < sp.Rational(1, 2)),
+            (Assign("status", sp.Integer(STATUS["not_excited"])),),
         ),
     ]
     if layout.reduction.groups.model.validity is not None:
-        outside = S("validity") > S("validity_limit") ** 2
+        outside = sp.And(
+            S("validity") > S("validity_limit") ** 2, S("status") < sp.Rational(3, 2)
+        )
         lines.append(When(outside, (Assign("status", sp.Integer(STATUS["outside_linear"])),)))
     return lines

@@ -31,6 +31,11 @@ class Layout:
         return tuple(f"{q.name}_star" for q in self.reduction.groups.model.states)
 
     @property
+    def companion(self) -> tuple[str, ...]:
+        """The same states along the input alone, where sensitivities are taken."""
+        return tuple(f"{name}_plain" for name in self.fast)
+
+    @property
     def unknowns(self) -> tuple[str, ...]:
         """Slow unknowns, the one to identify first."""
         return tuple(u.name for u in self.reduction.unknowns)
@@ -83,7 +88,9 @@ class Layout:
         units = [groups.time_scale, *(groups.scale[q.name] for q in groups.model.states)]
         units += [groups.scale[self.output.name], groups.scale[self.input.name]]
         used = {s.name for e in units for s in sp.sympify(e).free_symbols}
-        used |= {s.name for e in self.reduction.rates.values() for s in e.free_symbols}
+        expressions = [*self.reduction.rates.values(), *self.reduction.output_map.values()]
+        expressions += [self.reduction.live, *(groups.model.validity or ())[:1]]
+        used |= {s.name for e in expressions for s in sp.sympify(e).free_symbols}
         return tuple(
             groups.model.quantity(n) for n in groups.base if n in used - set(groups.model.signals)
         )
@@ -135,9 +142,9 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("drift", "1/s", f"diffusion of ln {t} while it is observed"),
         Field("idle_drift", "1/s", f"diffusion of ln {t} while nothing is heard of it"),
         Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
-        Field("refresh", "1/s", "rate at which the learnt groups' variance returns to the prior"),
         Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias"),
         Field("timing_error", "s", "timing error between input and output"),
+        Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
         Field("structure_share", "-", "structural error as a share of the output's activity"),
         Field("structure_time", "s", "correlation time of the structural error"),
         Field("activity_rate", "1/s", "averaging rate of the output's activity"),
@@ -184,6 +191,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
     i, o = layout.input, layout.output
     return (
         *(Field(name, "-", "dimensionless state") for name in layout.fast),
+        *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
         Field(OFFSET, i.unit, f"offset of {i.name}"),

@@ -10,6 +10,8 @@ speed changes    theta is the group at the last usable speed: it is scaled by (U
                  physical signals, so the history is read in the scales of now (dU/dt left out).
 missing values   the filters are fed the last usable value; nothing is learnt until
                  ``settle_samples`` usable samples have followed, the first of a log included.
+a spike          counts like a missing value when the sample before was usable and the change is
+                 beyond output_jump; a step that stays is believed from its second sample on.
 uneven steps     a step outside dt_low..dt_high counts like a missing value.
 theta <= 0       theta itself is left alone; pi3_low is reported, with status at_limit.
 overflow         P stays within P_low..P_high (a constant turn would double it every 14,000

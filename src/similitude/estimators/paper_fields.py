@@ -40,6 +40,7 @@ def config_fields(r: Regression) -> tuple[Field, ...]:
         Field(f"{signal.name}_least", signal.unit, f"least {signal.meaning} to learn at, > 0"),
         Field("input_limit", i.unit, f"greatest believable {i.name}"),
         Field("output_limit", o.unit, f"greatest believable {o.name}"),
+        Field("output_jump", o.unit, f"greatest believable change of {o.name} in one sample"),
         Field("signal_limit", signal.unit, "greatest believable scale"),
         Field("validity_limit", unit, "edge of the model's linear range"),
     )

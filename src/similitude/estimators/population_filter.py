@@ -23,7 +23,9 @@ from similitude.reduction import Reduction
 from similitude.sampling import implicit_step
 from similitude.status import STATUS
 
-LEAST_SCALE = sp.Rational(1, 20)  # keeps the step finite; far below where the dynamics show
+LEAST_STEP = sp.Float(1e-6)  # s: below it 1/dt says nothing any more, and overflows in the end
+LONGEST_STEP = sp.Float(1e6)  # s
+LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step finite; 0.05 m/s of a car
 
 
 def S(name: str) -> sp.Symbol:
@@ -86,7 +88,7 @@ def _init(layout: Layout) -> list[Statement]:
     """The state before the first sample: the prior."""
     P, prior = layout.covariance, layout.prior
     at = {name: i for i, name in enumerate(layout.coordinates)}
-    lines: list[Statement] = [Assign(name, sp.Integer(0)) for name in (*layout.fast, DISTURBANCE)]
+    lines: list[Statement] = [Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)]
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
     lines += [Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
@@ -124,7 +126,8 @@ def _init(layout: Layout) -> list[Statement]:
 
 def _step(layout: Layout) -> list[Statement]:
     dt = S("dt")
-    usable_time = sp.And(dt > 0, dt < 1e6)
+    usable_time = sp.And(dt > LEAST_STEP, dt < LONGEST_STEP)
+    lost = sp.Piecewise((LONGEST_STEP, dt > 1), (S("age"), True))
     return [
         Assign("status", sp.Integer(STATUS["ok"])),
         Assign("predicted", S(BIAS)),
@@ -139,7 +142,10 @@ def _step(layout: Layout) -> list[Statement]:
                 *_measure(layout),
                 *_after(layout),
             ),
-            (Assign("status", sp.Integer(STATUS["bad_sample"])),),
+            (
+                Assign("status", sp.Integer(STATUS["bad_sample"])),
+                Assign("age", lost, "an endless pause is a gap for the next sample"),
+            ),
             "time must advance",
         ),
         Assign("estimate", S(layout.target)),
@@ -179,11 +185,6 @@ def _gates(layout: Layout) -> list[Statement]:
     ]
 
 
-def _live(layout: Layout) -> sp.Basic:
-    replace = {q.symbol: S(f"{q.name}_now") for q in layout.signals}
-    return layout.reduction.live.xreplace(replace)
-
-
 def _restart(layout: Layout) -> list[Statement]:
     """After a gap, or while the scales hide the dynamics, nothing is known of the dynamic state."""
     P = layout.covariance
@@ -193,28 +194,34 @@ def _restart(layout: Layout) -> list[Statement]:
     w = len(layout.fast)
     wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
     wide.append(Assign(DISTURBANCE, sp.Integer(0)))
-    wide += [Assign("excitation", sp.Integer(0)), Assign("excited", sp.Integer(0))]
+    wide += [Assign(name, sp.Integer(0)) for name in ("excitation", "excited")]
+    wide.append(Assign("surprise", sp.Integer(1)))
     gap = sp.And(S("age") > S("gap"), S("started") > sp.Rational(1, 2))
     return [
         Assign("anew", sp.Piecewise((1, gap), (0, True)), "1 where the dynamic state starts anew"),
         When(
-            gap,
+            sp.And(gap, S("usable") > sp.Rational(1, 2)),
             (Assign("status", sp.Integer(STATUS["restarted"])),),
             (),
             "too long without a sample",
         ),
-        When(
-            _live(layout),
-            (),
-            (
-                Assign("anew", sp.Integer(1)),
-                Assign("usable", sp.Integer(0)),
-                Assign("status", sp.Integer(STATUS["too_slow"])),
-            ),
-            "the dynamics cannot be seen",
-        ),
+        *_hidden(layout),
         When(S("anew") > sp.Rational(1, 2), (*zero, *wide), (), "nothing is known of them"),
     ]
+
+
+def _hidden(layout: Layout) -> list[Statement]:
+    """Nothing is measured while the scales hide the dynamics."""
+    replace = {q.symbol: S(f"{q.name}_now") for q in layout.signals}
+    live = sp.sympify(layout.reduction.live).xreplace(replace)
+    if live is sp.true:
+        return []
+    nothing = (
+        Assign("anew", sp.Integer(1)),
+        Assign("usable", sp.Integer(0)),
+        Assign("status", sp.Integer(STATUS["too_slow"])),
+    )
+    return [When(live, (), nothing, "the dynamics cannot be seen")]
 
 
 def _dynamics(layout: Layout) -> list[Statement]:
@@ -227,33 +234,43 @@ def _dynamics(layout: Layout) -> list[Statement]:
         )
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
+        lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
     lines.append(
         Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends")
     )
-    effective = S("steer") + S(OFFSET) + S(DISTURBANCE)
+    plain = S("steer") + S(OFFSET)
     unit = layout.inverted(1 / groups.scale[layout.input.name])
-    lines.append(Assign("u", effective * unit, "effective input [-]"))
+    lines.append(Assign("u_plain", plain * unit, "input without the disturbance [-]"))
+    lines.append(Assign("u", S("u_plain") + S(DISTURBANCE) * unit, "effective input [-]"))
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
     rates = [
         layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states
     ]
     chain = {u.name: u.jacobian for u in reduction.unknowns} | {"u": unit}
-    step = implicit_step(rates, [S(n) for n in layout.fast], parameters=chain)
+    companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")}
+    fast = [S(n) for n in layout.fast]
+    step = implicit_step(rates, fast, parameters=chain, companion=companion)
     lines += step.statements
     lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
-    return lines + [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
+    lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
+    lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
+    for i, name in enumerate(layout.fast):
+        own = step.companion_after[i]
+        lines.append(Assign(f"{name}_plain", own + S("follow") * (S(name) - own)))
+    return lines
 
 
 def _scales(layout: Layout) -> list[Statement]:
     """Scales used now and before, kept off zero, with their reciprocals taken once."""
     groups = layout.reduction.groups
     lines: list[Statement] = []
+    if layout.signals:
+        lines.append(Assign("least_scale", S("signal_limit") * LEAST_SHARE))
+    least = S("least_scale")
     for q in layout.signals:
-        lines.append(
-            Assign(f"at_{q.name}", sp.Max(S(f"{q.name}_now"), LEAST_SCALE), "kept off zero")
-        )
-        lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), LEAST_SCALE)))
+        lines.append(Assign(f"at_{q.name}", sp.Max(S(f"{q.name}_now"), least), "kept off zero"))
+        lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), least)))
     lines += [
         Assign(layout.inverse(q.name).name, 1 / layout.at(q.name))
         for q in (*layout.signals, *layout.scales)
@@ -264,7 +281,8 @@ def _scales(layout: Layout) -> list[Statement]:
         Assign("inv_dt", 1 / S("dt")),
         Assign("output_scale", output, f"{layout.output.name} = scale x dimensionless"),
         Assign("inv_output_scale", layout.inverted(1 / groups.scale[layout.output.name])),
-        Assign("h", S("dt") * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
+        Assign("span", sp.Min(S("dt"), S("gap")), "[s] after a gap the dynamics start anew anyway"),
+        Assign("h", S("span") * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
     ]
 
 

@@ -6,8 +6,8 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 181 at most, 29 at least (arithmetic, comparisons, selects), init 11.
- * Memory: state 24 reals, configuration 33 reals; no heap, no globals, no libm, C99.
+ * Operations: step 174 at most, 29 at least (arithmetic, comparisons, selects), init 11.
+ * Memory: state 24 reals, configuration 34 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -62,6 +62,7 @@ typedef struct bicycle_paper_config {
     bicycle_paper_real U_least;                      /* [m/s] least forward speed to learn at, > 0 */
     bicycle_paper_real input_limit;                  /* [rad] greatest believable delta */
     bicycle_paper_real output_limit;                 /* [rad/s] greatest believable r */
+    bicycle_paper_real output_jump;                  /* [rad/s] greatest believable change of r in one sample */
     bicycle_paper_real signal_limit;                 /* [m/s] greatest believable scale */
     bicycle_paper_real validity_limit;               /* [m/s^2] edge of the model's linear range */
 } bicycle_paper_config;
@@ -195,6 +196,7 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     const bicycle_paper_real U_least = config->U_least;
     const bicycle_paper_real input_limit = config->input_limit;
     const bicycle_paper_real output_limit = config->output_limit;
+    const bicycle_paper_real output_jump = config->output_jump;
     const bicycle_paper_real signal_limit = config->signal_limit;
     const bicycle_paper_real validity_limit = config->validity_limit;
     const bicycle_paper_real dt = sample->dt;
@@ -236,7 +238,6 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
         status = R(1.0);
         usable = R(1.0);
-        live = R(1.0);
         if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
             u_now = input;
             scale_now = U;
@@ -245,43 +246,44 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             scale_now = last_U;
             usable = R(0.0);
         }
-        if ((measured < output_limit) && (measured > (-output_limit))) { /* a missing measurement is held */
+        if ((!((((measured - last_measured) < (-output_jump)) || ((measured - last_measured) > output_jump)) && (fresh > R(0.5)))) && (measured < output_limit) && (measured > (-output_limit))) { /* so is an output */
             y_now = measured;
         } else {
             y_now = last_measured;
             usable = R(0.0);
         }
-        if (scale_now > U_least) { /* the dynamics cannot be seen */
-            if (started > R(0.5)) { /* same physical constant in the new scale */
+        if (scale_now > U_least) { /* fast enough to see the dynamics */
+            if (started > R(0.5)) { /* another scale, the same constant */
                 const bicycle_paper_real ratio = (last_U*last_U)/((scale_now*scale_now)); /* of pi3 for the same K */
                 theta = ratio*theta;
                 P = P*(ratio*ratio);
             }
             last_U = scale_now;
+            live = R(1.0);
             started = R(1.0);
         } else {
             live = R(0.0);
             status = R(6.0);
         }
-        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the samples before are not where the regression needs them */
+        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the sample before is elsewhere */
             fresh = R(0.0);
             status = R(5.0);
         }
-        if (usable > R(0.5)) {
-            fresh = ((R(1.0) + fresh) < (R(1.0) + settle_samples) ? R(1.0) + fresh : R(1.0) + settle_samples);
+        if (usable > R(0.5)) { /* usable samples in a row */
+            fresh = R(1.0) + ((fresh) < (settle_samples) ? fresh : settle_samples);
         } else {
             fresh = R(0.0);
             status = R(4.0);
         }
         const bicycle_paper_real T = last_U*sample_time/L; /* dimensionless sample time */
-        const bicycle_paper_real star = L/last_U; /* output to its group */
-        const bicycle_paper_real u_star = R(1.0); /* input to its group */
-        const bicycle_paper_real m1 = T*m1_rate*u_star;
-        const bicycle_paper_real m2 = T*m2_rate*star;
+        const bicycle_paper_real star = L/last_U; /* 1/unit of the output */
+        const bicycle_paper_real m1 = T*m1_rate; /* eq 22, per physical input */
+        const bicycle_paper_real m2 = T*m2_rate*star; /* eq 22, per physical output */
+        const bicycle_paper_real direct = biquad_1_0*biquad_2_0; /* newest output's weight in the filter */
         const bicycle_paper_real phi = m1*(input_before[0] - input_before[1]) + m2*(output_before[1] - output_before[0]); /* regressor, eqs 25-26 */
-        const bicycle_paper_real filtered = R(2.0)*output_before[0] + phi*theta/star - output_before[1]; /* predicted, filtered */
-        const bicycle_paper_real rest = output_memory[2] + biquad_2_0*output_memory[0]; /* filtered if r were 0 */
-        predicted = (filtered - rest)/(biquad_1_0*biquad_2_0);
+        const bicycle_paper_real filtered = R(2.0)*output_before[0] + phi*theta/star - output_before[1]; /* filtered output predicted */
+        const bicycle_paper_real rest = output_memory[2] + biquad_2_0*output_memory[0]; /* filtered output if the newest were zero */
+        predicted = (filtered - rest)/direct;
         if (usable > R(0.5)) {
             innovation = y_now - predicted;
         }
@@ -303,7 +305,8 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             const bicycle_paper_real gain = P*phi/((forgetting + P*(phi*phi)));
             weight = R(1.0) + forgetting*weight;
             mean_square = mean_square + ((residual*residual) - mean_square)/weight;
-            information = information + (phi*phi)*(theta*theta)/(((mean_square) > (noise_variance*(L*L)*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)/((last_U*last_U))) ? mean_square : noise_variance*(L*L)*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)/((last_U*last_U))));
+            const bicycle_paper_real spread = ((mean_square) > (noise_variance*(direct*direct)*(star*star)) ? mean_square : noise_variance*(direct*direct)*(star*star)); /* never below the sensor's share */
+            information = information + (phi*phi)*(theta*theta)/spread;
             theta = theta + gain*residual;
             theta = (((-pi3_limit)) > (((pi3_limit) < (theta) ? pi3_limit : theta)) ? (-pi3_limit) : ((pi3_limit) < (theta) ? pi3_limit : theta));
             P = P*(R(1.0) - gain*phi)/forgetting;
@@ -327,9 +330,9 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     }
     pi3 = ((pi3_low) > (theta) ? pi3_low : theta);
     estimate = pi3*(last_U*last_U);
-    const bicycle_paper_real raw_unit = last_U/(L*biquad_1_0*biquad_2_0);
-    innovation_variance = ((noise_variance) > (mean_square*(raw_unit*raw_unit)) ? noise_variance : mean_square*(raw_unit*raw_unit));
-    variance = (weight > R(0.5) ? ((variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw_unit*raw_unit))) ? variance_limit : P*innovation_variance/((pi3*pi3)*(raw_unit*raw_unit))) : variance_limit); /* of ln K: scatter only, the noise's bias is not in it */
+    const bicycle_paper_real raw = last_U/(L*biquad_1_0*biquad_2_0); /* raw output per dimensionless residual */
+    innovation_variance = ((noise_variance) > (mean_square*(raw*raw)) ? noise_variance : mean_square*(raw*raw));
+    variance = (weight > R(0.5) ? ((variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw*raw))) ? variance_limit : P*innovation_variance/((pi3*pi3)*(raw*raw))) : variance_limit);
     information_gained = information;
 
     state->theta = theta;

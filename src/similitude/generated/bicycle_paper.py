@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 181
+OPERATIONS = 174
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -38,6 +38,7 @@ CONFIG = (
     ('U_least', 'm/s', 'least forward speed to learn at, > 0', 1),
     ('input_limit', 'rad', 'greatest believable delta', 1),
     ('output_limit', 'rad/s', 'greatest believable r', 1),
+    ('output_jump', 'rad/s', 'greatest believable change of r in one sample', 1),
     ('signal_limit', 'm/s', 'greatest believable scale', 1),
     ('validity_limit', 'm/s^2', "edge of the model's linear range", 1),
 )
@@ -142,8 +143,9 @@ def step(config, state, sample):
     U_least = config[28]
     input_limit = config[29]
     output_limit = config[30]
-    signal_limit = config[31]
-    validity_limit = config[32]
+    output_jump = config[31]
+    signal_limit = config[32]
+    validity_limit = config[33]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -183,7 +185,6 @@ def step(config, state, sample):
     if (dt < 1000000.0) and (dt > 0.0):  # time must advance
         status = 1.0
         usable = 1.0
-        live = 1.0
         if (U < signal_limit) and (U > (-signal_limit)) and (input < input_limit) and (input > (-input_limit)):  # a missing input or scale is held
             u_now = input
             scale_now = U
@@ -191,38 +192,39 @@ def step(config, state, sample):
             u_now = last_input
             scale_now = last_U
             usable = 0.0
-        if (measured < output_limit) and (measured > (-output_limit)):  # a missing measurement is held
+        if (measured < output_limit) and (measured > (-output_limit)) and (not ((((measured - last_measured) < (-output_jump)) or ((measured - last_measured) > output_jump)) and (fresh > 0.5))):  # so is an output
             y_now = measured
         else:
             y_now = last_measured
             usable = 0.0
-        if scale_now > U_least:  # the dynamics cannot be seen
-            if started > 0.5:  # same physical constant in the new scale
+        if scale_now > U_least:  # fast enough to see the dynamics
+            if started > 0.5:  # another scale, the same constant
                 ratio = (last_U*last_U)/((scale_now*scale_now))  # of pi3 for the same K
                 theta = ratio*theta
                 P = P*(ratio*ratio)
             last_U = scale_now
+            live = 1.0
             started = 1.0
         else:
             live = 0.0
             status = 6.0
-        if (fresh > 0.5) and (not ((dt < dt_high) and (dt > dt_low))):  # the samples before are not where the regression needs them
+        if (fresh > 0.5) and (not ((dt < dt_high) and (dt > dt_low))):  # the sample before is elsewhere
             fresh = 0.0
             status = 5.0
-        if usable > 0.5:
-            fresh = (1.0 + fresh if (1.0 + fresh) < (1.0 + settle_samples) else 1.0 + settle_samples)
+        if usable > 0.5:  # usable samples in a row
+            fresh = 1.0 + (fresh if (fresh) < (settle_samples) else settle_samples)
         else:
             fresh = 0.0
             status = 4.0
         T = last_U*sample_time/L  # dimensionless sample time
-        star = L/last_U  # output to its group
-        u_star = 1.0  # input to its group
-        m1 = T*m1_rate*u_star
-        m2 = T*m2_rate*star
+        star = L/last_U  # 1/unit of the output
+        m1 = T*m1_rate  # eq 22, per physical input
+        m2 = T*m2_rate*star  # eq 22, per physical output
+        direct = biquad_1_0*biquad_2_0  # newest output's weight in the filter
         phi = m1*(input_before_0 - input_before_1) + m2*(output_before_1 - output_before_0)  # regressor, eqs 25-26
-        filtered = 2.0*output_before_0 + phi*theta/star - output_before_1  # predicted, filtered
-        rest = output_memory_2 + biquad_2_0*output_memory_0  # filtered if r were 0
-        predicted = (filtered - rest)/(biquad_1_0*biquad_2_0)
+        filtered = 2.0*output_before_0 + phi*theta/star - output_before_1  # filtered output predicted
+        rest = output_memory_2 + biquad_2_0*output_memory_0  # filtered output if the newest were zero
+        predicted = (filtered - rest)/direct
         if usable > 0.5:
             innovation = y_now - predicted
         input_half = input_memory_0 + biquad_1_0*u_now
@@ -243,7 +245,8 @@ def step(config, state, sample):
             gain = P*phi/((forgetting + P*(phi*phi)))
             weight = 1.0 + forgetting*weight
             mean_square = mean_square + ((residual*residual) - mean_square)/weight
-            information = information + (phi*phi)*(theta*theta)/((mean_square if (mean_square) > (noise_variance*(L*L)*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)/((last_U*last_U))) else noise_variance*(L*L)*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)/((last_U*last_U))))
+            spread = (mean_square if (mean_square) > (noise_variance*(direct*direct)*(star*star)) else noise_variance*(direct*direct)*(star*star))  # never below the sensor's share
+            information = information + (phi*phi)*(theta*theta)/spread
             theta = theta + gain*residual
             theta = ((-pi3_limit) if ((-pi3_limit)) > ((pi3_limit if (pi3_limit) < (theta) else theta)) else (pi3_limit if (pi3_limit) < (theta) else theta))
             P = P*(1.0 - gain*phi)/forgetting
@@ -263,9 +266,9 @@ def step(config, state, sample):
         status = 7.0
     pi3 = (pi3_low if (pi3_low) > (theta) else theta)
     estimate = pi3*(last_U*last_U)
-    raw_unit = last_U/(L*biquad_1_0*biquad_2_0)
-    innovation_variance = (noise_variance if (noise_variance) > (mean_square*(raw_unit*raw_unit)) else mean_square*(raw_unit*raw_unit))
-    variance = ((variance_limit if (variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw_unit*raw_unit))) else P*innovation_variance/((pi3*pi3)*(raw_unit*raw_unit))) if weight > 0.5 else variance_limit)  # of ln K: scatter only, the noise's bias is not in it
+    raw = last_U/(L*biquad_1_0*biquad_2_0)  # raw output per dimensionless residual
+    innovation_variance = (noise_variance if (noise_variance) > (mean_square*(raw*raw)) else mean_square*(raw*raw))
+    variance = ((variance_limit if (variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw*raw))) else P*innovation_variance/((pi3*pi3)*(raw*raw))) if weight > 0.5 else variance_limit)
     information_gained = information
     state[:] = [m1_rate, m2_rate, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi3]

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1049 at most, 3 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 77 reals, configuration 61 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1058 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 79 reals, configuration 61 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -62,9 +62,9 @@ typedef struct bicycle_population_config {
     bicycle_population_real drift;                   /* [1/s] diffusion of ln K while it is observed */
     bicycle_population_real idle_drift;              /* [1/s] diffusion of ln K while nothing is heard of it */
     bicycle_population_real jump_drift;              /* [1/s] further diffusion per unit of surprise above its limit */
-    bicycle_population_real refresh;                 /* [1/s] rate at which the learnt groups' variance returns to the prior */
     bicycle_population_real bias_drift;              /* [(rad/s)^2/s] random walk of the output bias */
     bicycle_population_real timing_error;            /* [s] timing error between input and output */
+    bicycle_population_real companion_rate;          /* [1/s] rate at which the uncorrected states follow the estimate */
     bicycle_population_real structure_share;         /* [-] structural error as a share of the output's activity */
     bicycle_population_real structure_time;          /* [s] correlation time of the structural error */
     bicycle_population_real activity_rate;           /* [1/s] averaging rate of the output's activity */
@@ -95,6 +95,8 @@ typedef struct bicycle_population_config {
 typedef struct bicycle_population_state {
     bicycle_population_real v_star;                  /* [-] dimensionless state */
     bicycle_population_real r_star;                  /* [-] dimensionless state */
+    bicycle_population_real v_star_plain;            /* [-] the same, not corrected by measurements */
+    bicycle_population_real r_star_plain;            /* [-] the same, not corrected by measurements */
     bicycle_population_real disturbance;             /* [rad] disturbance as an equivalent delta */
     bicycle_population_real K;                       /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
     bicycle_population_real pi1;                     /* [-] a/L, position of the centre of gravity */
@@ -175,14 +177,18 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     bicycle_population_real output_bias;
     bicycle_population_real pi1;
     bicycle_population_real r_star;
+    bicycle_population_real r_star_plain;
     bicycle_population_real rho;
     bicycle_population_real settling;
     bicycle_population_real started;
     bicycle_population_real surprise;
     bicycle_population_real v_star;
+    bicycle_population_real v_star_plain;
     bicycle_population_real validity;
     v_star = R(0.0);
     r_star = R(0.0);
+    v_star_plain = R(0.0);
+    r_star_plain = R(0.0);
     disturbance = R(0.0);
     K = K_prior;
     pi1 = pi1_prior;
@@ -276,6 +282,8 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     last_U = R(0.0);
     state->v_star = v_star;
     state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
     state->disturbance = disturbance;
     state->K = K;
     state->pi1 = pi1;
@@ -304,9 +312,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
 {
     const bicycle_population_real L = config->L;
     const bicycle_population_real K_prior = config->K_prior;
-    const bicycle_population_real P_prior_4 = config->P_prior[4];
-    const bicycle_population_real P_prior_7 = config->P_prior[7];
-    const bicycle_population_real P_prior_9 = config->P_prior[9];
     const bicycle_population_real prior_information = config->prior_information;
     const bicycle_population_real K_low = config->K_low;
     const bicycle_population_real K_high = config->K_high;
@@ -322,9 +327,9 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     const bicycle_population_real drift = config->drift;
     const bicycle_population_real idle_drift = config->idle_drift;
     const bicycle_population_real jump_drift = config->jump_drift;
-    const bicycle_population_real refresh = config->refresh;
     const bicycle_population_real bias_drift = config->bias_drift;
     const bicycle_population_real timing_error = config->timing_error;
+    const bicycle_population_real companion_rate = config->companion_rate;
     const bicycle_population_real structure_share = config->structure_share;
     const bicycle_population_real structure_time = config->structure_time;
     const bicycle_population_real activity_rate = config->activity_rate;
@@ -356,6 +361,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     bicycle_population_real *const P = state->P;
     bicycle_population_real v_star = state->v_star;
     bicycle_population_real r_star = state->r_star;
+    bicycle_population_real v_star_plain = state->v_star_plain;
+    bicycle_population_real r_star_plain = state->r_star_plain;
     bicycle_population_real disturbance = state->disturbance;
     bicycle_population_real K = state->K;
     bicycle_population_real pi1 = state->pi1;
@@ -395,7 +402,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     predicted = output_bias;
     innovation = R(0.0);
     innovation_variance = noise_scale*noise_variance;
-    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
+    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
         age = age + dt;
         if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
@@ -416,7 +423,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             last_U = U_now;
         }
         anew = ((age > gap) && (started > R(0.5)) ? R(1.0) : R(0.0)); /* 1 where the dynamic state starts anew */
-        if ((age > gap) && (started > R(0.5))) { /* too long without a sample */
+        if ((age > gap) && (started > R(0.5)) && (usable > R(0.5))) { /* too long without a sample */
             status = R(5.0);
         }
         if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
@@ -458,83 +465,104 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             disturbance = R(0.0);
             excitation = R(0.0);
             excited = R(0.0);
+            surprise = R(1.0);
         }
-        const bicycle_population_real at_U = ((R(0.05)) > (U_now) ? R(0.05) : U_now); /* kept off zero */
-        const bicycle_population_real was_U = ((R(0.05)) > (last_U) ? R(0.05) : last_U);
+        const bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const bicycle_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
+        const bicycle_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
         const bicycle_population_real inv_U = (R(1.0)/at_U);
         const bicycle_population_real inv_L = (R(1.0)/L);
         const bicycle_population_real inv_dt = (R(1.0)/dt);
         const bicycle_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
         const bicycle_population_real inv_output_scale = L*inv_U;
-        const bicycle_population_real h = at_U*dt*inv_L; /* dimensionless time step */
+        const bicycle_population_real span = ((dt) < (gap) ? dt : gap); /* [s] after a gap the dynamics start anew anyway */
+        const bicycle_population_real h = at_U*inv_L*span; /* dimensionless time step */
         const bicycle_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
         v_star = ratio_v_star*v_star;
+        v_star_plain = ratio_v_star*v_star_plain;
         const bicycle_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
         r_star = r_star*ratio_r_star;
+        r_star_plain = r_star_plain*ratio_r_star;
         const bicycle_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_population_real u = disturbance + input_offset + steer; /* effective input [-] */
-        const bicycle_population_real inv0 = (R(1.0)/pi1);
-        const bicycle_population_real inv1 = (R(1.0)/rho);
-        const bicycle_population_real inv2 = (R(1.0)/(R(1.0) - pi1));
-        const bicycle_population_real c0 = (inv_U*inv_U);
-        const bicycle_population_real c1 = K*c0;
-        const bicycle_population_real c2 = c1*v_star;
-        const bicycle_population_real c3 = c1*pi1;
-        const bicycle_population_real c4 = c3*r_star;
-        const bicycle_population_real c5 = c2*pi1;
+        const bicycle_population_real u_plain = input_offset + steer; /* input without the disturbance [-] */
+        const bicycle_population_real u = disturbance + u_plain; /* effective input [-] */
+        const bicycle_population_real inv0 = (R(1.0)/rho);
+        const bicycle_population_real inv1 = (R(1.0)/(pi1 - R(1.0)));
+        const bicycle_population_real c0 = (-r_star);
+        const bicycle_population_real c1 = (inv_U*inv_U);
+        const bicycle_population_real c2 = v_star + pi1*r_star;
+        const bicycle_population_real c3 = c2 - u;
+        const bicycle_population_real c4 = c0 + c2;
+        const bicycle_population_real c5 = c1*pi1;
         const bicycle_population_real c6 = c5*eta;
-        const bicycle_population_real c7 = (pi1*pi1);
-        const bicycle_population_real c8 = c1*c7;
-        const bicycle_population_real c9 = R(1.0) - pi1;
-        const bicycle_population_real c10 = c4*eta;
-        const bicycle_population_real c11 = K*c0*pi1*u + K*c0*eta*pi1*v_star - c5 - c10*c9 - c8*r_star;
-        const bicycle_population_real c12 = inv1*inv2;
-        const bicycle_population_real c13 = c12*inv0;
-        const bicycle_population_real c14 = c11*c13;
-        const bicycle_population_real c15 = c3*eta;
-        const bicycle_population_real c16 = c13*h;
-        const bicycle_population_real c17 = c0*v_star;
-        const bicycle_population_real c18 = c0*r_star;
-        const bicycle_population_real c19 = c18*pi1;
-        const bicycle_population_real c20 = c17*pi1;
-        const bicycle_population_real c21 = c1*r_star;
-        const bicycle_population_real c22 = c2*eta;
-        const bicycle_population_real c23 = (inv2*inv2);
-        const bicycle_population_real f_v_star = K*c0*u + K*c0*eta*pi1*r_star - c2 - c4 - r_star - c6*inv2; /* rate [-] */
-        const bicycle_population_real f_r_star = c14; /* rate [-] */
-        const bicycle_population_real J_00 = h*((-c1) - c15*inv2);
-        const bicycle_population_real J_01 = h*(K*c0*eta*pi1 - R(1.0) - c3);
-        const bicycle_population_real J_10 = c16*(c15 - c3);
-        const bicycle_population_real J_11 = c16*((-c8) - c15*c9);
-        const bicycle_population_real f_v_star_K = K*(c0*u + c0*eta*pi1*r_star - c17 - c19 - c20*eta*inv2);
-        const bicycle_population_real f_r_star_K = K*c13*(c0*pi1*u + c0*eta*pi1*v_star - c20 - c18*c7 - c19*c9*eta);
-        const bicycle_population_real f_v_star_pi1 = K*c0*eta*r_star - c21 - c22*inv2 - c23*c6;
-        const bicycle_population_real f_r_star_pi1 = c13*(c10 + c22 + c1*u - c2 - R(2.0)*c4 - c21*c9*eta) + c11*c23*inv0*inv1 - c11*c12*(inv0*inv0);
-        const bicycle_population_real f_v_star_eta = eta*(c4 - c5*inv2);
-        const bicycle_population_real f_r_star_eta = c13*eta*(c5 - c4*c9);
+        const bicycle_population_real c7 = c6*inv1;
+        const bicycle_population_real c8 = c1*inv0;
+        const bicycle_population_real c9 = c8*eta*inv1;
+        const bicycle_population_real c10 = (-r_star_plain);
+        const bicycle_population_real c11 = v_star_plain + pi1*r_star_plain;
+        const bicycle_population_real c12 = c11 - u_plain;
+        const bicycle_population_real c13 = c1*c12;
+        const bicycle_population_real c14 = c10 + c11;
+        const bicycle_population_real c15 = c14*c7;
+        const bicycle_population_real c16 = K*(c15 - c13);
+        const bicycle_population_real c17 = K*(c1*c12*inv0*inv1 - c14*c9);
+        const bicycle_population_real c18 = R(0.16666666666666666)*h;
+        const bicycle_population_real c19 = K*c18;
+        const bicycle_population_real c20 = c8*eta;
+        const bicycle_population_real c21 = c1*r_star_plain;
+        const bicycle_population_real c22 = (inv1*inv1);
+        const bicycle_population_real c23 = c14*c22;
+        const bicycle_population_real c24 = inv0*inv1;
+        const bicycle_population_real c25 = c21*c24;
+        const bicycle_population_real c26 = c14*eta;
+        const bicycle_population_real c27 = K*c1;
+        const bicycle_population_real c28 = c24*c27;
+        const bicycle_population_real c29 = (inv0*inv0);
+        const bicycle_population_real f_v_star = c0 + K*(c4*c7 - c1*c3); /* rate [-] */
+        const bicycle_population_real f_r_star = K*(c1*c3*inv0*inv1 - c4*c9); /* rate [-] */
+        const bicycle_population_real f_v_star_plain = c10 + c16;
+        const bicycle_population_real f_r_star_plain = c17;
+        const bicycle_population_real J_00 = c19*(c7 - c1);
+        const bicycle_population_real J_01 = c18*(K*(c6 - c5) - R(1.0));
+        const bicycle_population_real J_10 = c19*(c1*inv0*inv1 - c9);
+        const bicycle_population_real J_11 = c19*(c1*inv0*inv1*pi1 - c20);
+        const bicycle_population_real f_v_star_K = c16;
+        const bicycle_population_real f_r_star_K = c17;
+        const bicycle_population_real f_v_star_pi1 = K*(c1*c14*eta*inv1 + c1*eta*inv1*pi1*r_star_plain - c21 - c23*c6);
+        const bicycle_population_real f_r_star_pi1 = K*(c25 + c20*c23 - c25*eta - c13*c22*inv0);
+        const bicycle_population_real f_v_star_eta = K*c15;
+        const bicycle_population_real f_r_star_eta = (-c26*c28);
         const bicycle_population_real f_v_star_rho = R(0.0);
-        const bicycle_population_real f_r_star_rho = (-c14);
-        const bicycle_population_real f_v_star_u = c1;
-        const bicycle_population_real f_r_star_u = c1*c12;
-        const bicycle_population_real N_00 = R(1.0) + R(0.5)*(J_00*J_00) + R(0.5)*J_01*J_10 - J_00;
-        const bicycle_population_real N_01 = R(0.5)*J_00*J_01 + R(0.5)*J_01*J_11 - J_01;
-        const bicycle_population_real N_10 = R(0.5)*J_00*J_10 + R(0.5)*J_10*J_11 - J_10;
-        const bicycle_population_real N_11 = R(1.0) + R(0.5)*(J_11*J_11) + R(0.5)*J_01*J_10 - J_11;
-        const bicycle_population_real inv_det = (R(1.0)/(N_00*N_11 - N_01*N_10)); /* det N > 0 for every real J */
-        const bicycle_population_real M_00 = N_11*inv_det; /* dx+/dx */
-        const bicycle_population_real M_01 = (-N_01*inv_det);
-        const bicycle_population_real M_10 = (-N_10*inv_det);
-        const bicycle_population_real M_11 = N_00*inv_det;
-        const bicycle_population_real B_00 = h*(R(1.0) - R(0.5)*J_00);
-        const bicycle_population_real B_01 = (-R(0.5)*J_01*h);
-        const bicycle_population_real B_10 = (-R(0.5)*J_10*h);
-        const bicycle_population_real B_11 = h*(R(1.0) - R(0.5)*J_11);
-        const bicycle_population_real G_00 = B_00*M_00 + B_10*M_01;
-        const bicycle_population_real G_01 = B_01*M_00 + B_11*M_01;
-        const bicycle_population_real G_10 = B_00*M_10 + B_10*M_11;
-        const bicycle_population_real G_11 = B_01*M_10 + B_11*M_11;
+        const bicycle_population_real f_r_star_rho = K*rho*(c1*c26*c29*inv1 - c13*c29*inv1);
+        const bicycle_population_real f_v_star_u = c27;
+        const bicycle_population_real f_r_star_u = (-c28);
+        const bicycle_population_real p0 = J_00*J_11 - J_01*J_10;
+        const bicycle_population_real p1 = (-J_00) - J_11;
+        const bicycle_population_real n0 = R(1.0) - R(1.5)*p0;
+        const bicycle_population_real n1 = (-R(2.0)) - R(1.5)*p1;
+        const bicycle_population_real i_det = (R(1.0)/((n0*n0) + p0*(n1*n1) - n0*n1*p1)); /* det N > 0 for every real J */
+        const bicycle_population_real i0 = i_det*(n0 - n1*p1);
+        const bicycle_population_real i1 = (-i_det*n1);
+        const bicycle_population_real E0 = i0 - i1*p0; /* half a step */
+        const bicycle_population_real E1 = i0 + i1 - i1*p1;
+        const bicycle_population_real H0 = R(0.5)*h*i0 + R(0.25)*h*i1*p0; /* change per rate over half a step */
+        const bicycle_population_real H1 = R(0.5)*h*i1 + R(0.25)*h*i1*p1 - R(0.25)*h*i0;
+        const bicycle_population_real m0 = (E0*E0) - p0*(E1*E1);
+        const bicycle_population_real m1 = R(2.0)*E0*E1 - p1*(E1*E1);
+        const bicycle_population_real g0 = H0*(R(1.0) + E0) - E1*H1*p0;
+        const bicycle_population_real g1 = E1*H0 + H1*(R(1.0) + E0) - E1*H1*p1;
+        const bicycle_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
+        const bicycle_population_real M_01 = J_01*m1;
+        const bicycle_population_real M_10 = J_10*m1;
+        const bicycle_population_real M_11 = m0 + J_11*m1;
+        const bicycle_population_real G_00 = g0 + J_00*g1; /* change per rate */
+        const bicycle_population_real G_01 = J_01*g1;
+        const bicycle_population_real G_10 = J_10*g1;
+        const bicycle_population_real G_11 = g0 + J_11*g1;
         const bicycle_population_real d_v_star = G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
         const bicycle_population_real d_r_star = G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+        const bicycle_population_real d_v_star_plain = G_00*f_v_star_plain + G_01*f_r_star_plain;
+        const bicycle_population_real d_r_star_plain = G_10*f_v_star_plain + G_11*f_r_star_plain;
         const bicycle_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
         const bicycle_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
         const bicycle_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
@@ -550,9 +578,9 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         move = R(0.0);
         diffusion = drift;
         if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
-            diffusion = idle_drift;
             const bicycle_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
             const bicycle_population_real keep = R(1.0) - lost;
+            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
             P[3] = P[3]*keep;
             P[12] = P[12]*keep;
             P[20] = P[20]*keep;
@@ -576,38 +604,38 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         const bicycle_population_real F_r_star_v_star = M_10*ratio_v_star;
         const bicycle_population_real F_r_star_r_star = M_11*ratio_r_star;
         const bicycle_population_real PW_0 = P[2] + P[8] + P[7]*steer;
-        const bicycle_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
-        const bicycle_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+        const bicycle_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4]) + (F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
+        const bicycle_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4]) + (F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
         const bicycle_population_real PW_1 = P[11] + P[17] + P[16]*steer;
-        const bicycle_population_real FP_0_1 = F_v_star_K*P[12] + F_v_star_eta*P[14] + F_v_star_pi1*P[13] + F_v_star_r_star*P[10] + F_v_star_rho*P[15] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
-        const bicycle_population_real FP_1_1 = F_r_star_K*P[12] + F_r_star_eta*P[14] + F_r_star_pi1*P[13] + F_r_star_r_star*P[10] + F_r_star_rho*P[15] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+        const bicycle_population_real FP_0_1 = (F_v_star_K*P[12] + F_v_star_eta*P[14] + F_v_star_pi1*P[13]) + (F_v_star_r_star*P[10] + F_v_star_rho*P[15] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
+        const bicycle_population_real FP_1_1 = (F_r_star_K*P[12] + F_r_star_eta*P[14] + F_r_star_pi1*P[13]) + (F_r_star_r_star*P[10] + F_r_star_rho*P[15] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
         const bicycle_population_real PW_2 = P[19] + P[25] + P[24]*steer;
-        const bicycle_population_real FP_0_2 = F_v_star_K*P[20] + F_v_star_eta*P[22] + F_v_star_pi1*P[21] + F_v_star_r_star*P[11] + F_v_star_rho*P[23] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
-        const bicycle_population_real FP_1_2 = F_r_star_K*P[20] + F_r_star_eta*P[22] + F_r_star_pi1*P[21] + F_r_star_r_star*P[11] + F_r_star_rho*P[23] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+        const bicycle_population_real FP_0_2 = (F_v_star_K*P[20] + F_v_star_eta*P[22] + F_v_star_pi1*P[21]) + (F_v_star_r_star*P[11] + F_v_star_rho*P[23] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
+        const bicycle_population_real FP_1_2 = (F_r_star_K*P[20] + F_r_star_eta*P[22] + F_r_star_pi1*P[21]) + (F_r_star_r_star*P[11] + F_r_star_rho*P[23] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
         const bicycle_population_real PW_3 = P[20] + P[32] + P[31]*steer;
-        const bicycle_population_real FP_0_3 = F_v_star_K*P[27] + F_v_star_eta*P[29] + F_v_star_pi1*P[28] + F_v_star_r_star*P[12] + F_v_star_rho*P[30] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
-        const bicycle_population_real FP_1_3 = F_r_star_K*P[27] + F_r_star_eta*P[29] + F_r_star_pi1*P[28] + F_r_star_r_star*P[12] + F_r_star_rho*P[30] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+        const bicycle_population_real FP_0_3 = (F_v_star_K*P[27] + F_v_star_eta*P[29] + F_v_star_pi1*P[28]) + (F_v_star_r_star*P[12] + F_v_star_rho*P[30] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
+        const bicycle_population_real FP_1_3 = (F_r_star_K*P[27] + F_r_star_eta*P[29] + F_r_star_pi1*P[28]) + (F_r_star_r_star*P[12] + F_r_star_rho*P[30] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
         const bicycle_population_real PW_4 = P[21] + P[38] + P[37]*steer;
-        const bicycle_population_real FP_0_4 = F_v_star_K*P[28] + F_v_star_eta*P[35] + F_v_star_pi1*P[34] + F_v_star_r_star*P[13] + F_v_star_rho*P[36] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
-        const bicycle_population_real FP_1_4 = F_r_star_K*P[28] + F_r_star_eta*P[35] + F_r_star_pi1*P[34] + F_r_star_r_star*P[13] + F_r_star_rho*P[36] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+        const bicycle_population_real FP_0_4 = (F_v_star_K*P[28] + F_v_star_eta*P[35] + F_v_star_pi1*P[34]) + (F_v_star_r_star*P[13] + F_v_star_rho*P[36] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
+        const bicycle_population_real FP_1_4 = (F_r_star_K*P[28] + F_r_star_eta*P[35] + F_r_star_pi1*P[34]) + (F_r_star_r_star*P[13] + F_r_star_rho*P[36] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
         const bicycle_population_real PW_5 = P[22] + P[43] + P[42]*steer;
-        const bicycle_population_real FP_0_5 = F_v_star_K*P[29] + F_v_star_eta*P[40] + F_v_star_pi1*P[35] + F_v_star_r_star*P[14] + F_v_star_rho*P[41] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
-        const bicycle_population_real FP_1_5 = F_r_star_K*P[29] + F_r_star_eta*P[40] + F_r_star_pi1*P[35] + F_r_star_r_star*P[14] + F_r_star_rho*P[41] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+        const bicycle_population_real FP_0_5 = (F_v_star_K*P[29] + F_v_star_eta*P[40] + F_v_star_pi1*P[35]) + (F_v_star_r_star*P[14] + F_v_star_rho*P[41] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
+        const bicycle_population_real FP_1_5 = (F_r_star_K*P[29] + F_r_star_eta*P[40] + F_r_star_pi1*P[35]) + (F_r_star_r_star*P[14] + F_r_star_rho*P[41] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
         const bicycle_population_real PW_6 = P[23] + P[47] + P[46]*steer;
-        const bicycle_population_real FP_0_6 = F_v_star_K*P[30] + F_v_star_eta*P[41] + F_v_star_pi1*P[36] + F_v_star_r_star*P[15] + F_v_star_rho*P[45] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
-        const bicycle_population_real FP_1_6 = F_r_star_K*P[30] + F_r_star_eta*P[41] + F_r_star_pi1*P[36] + F_r_star_r_star*P[15] + F_r_star_rho*P[45] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+        const bicycle_population_real FP_0_6 = (F_v_star_K*P[30] + F_v_star_eta*P[41] + F_v_star_pi1*P[36]) + (F_v_star_r_star*P[15] + F_v_star_rho*P[45] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
+        const bicycle_population_real FP_1_6 = (F_r_star_K*P[30] + F_r_star_eta*P[41] + F_r_star_pi1*P[36]) + (F_r_star_r_star*P[15] + F_r_star_rho*P[45] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
         const bicycle_population_real PW_7 = P[24] + P[50] + P[49]*steer;
-        const bicycle_population_real FP_0_7 = F_v_star_K*P[31] + F_v_star_eta*P[42] + F_v_star_pi1*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[46] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
-        const bicycle_population_real FP_1_7 = F_r_star_K*P[31] + F_r_star_eta*P[42] + F_r_star_pi1*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[46] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+        const bicycle_population_real FP_0_7 = (F_v_star_K*P[31] + F_v_star_eta*P[42] + F_v_star_pi1*P[37]) + (F_v_star_r_star*P[16] + F_v_star_rho*P[46] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
+        const bicycle_population_real FP_1_7 = (F_r_star_K*P[31] + F_r_star_eta*P[42] + F_r_star_pi1*P[37]) + (F_r_star_r_star*P[16] + F_r_star_rho*P[46] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
         const bicycle_population_real PW_8 = P[25] + P[52] + P[50]*steer;
-        const bicycle_population_real FP_0_8 = F_v_star_K*P[32] + F_v_star_eta*P[43] + F_v_star_pi1*P[38] + F_v_star_r_star*P[17] + F_v_star_rho*P[47] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
-        const bicycle_population_real FP_1_8 = F_r_star_K*P[32] + F_r_star_eta*P[43] + F_r_star_pi1*P[38] + F_r_star_r_star*P[17] + F_r_star_rho*P[47] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+        const bicycle_population_real FP_0_8 = (F_v_star_K*P[32] + F_v_star_eta*P[43] + F_v_star_pi1*P[38]) + (F_v_star_r_star*P[17] + F_v_star_rho*P[47] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
+        const bicycle_population_real FP_1_8 = (F_r_star_K*P[32] + F_r_star_eta*P[43] + F_r_star_pi1*P[38]) + (F_r_star_r_star*P[17] + F_r_star_rho*P[47] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
         const bicycle_population_real PW_9 = P[26] + P[53] + P[51]*steer;
-        const bicycle_population_real FP_0_9 = F_v_star_K*P[33] + F_v_star_eta*P[44] + F_v_star_pi1*P[39] + F_v_star_r_star*P[18] + F_v_star_rho*P[48] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
-        const bicycle_population_real FP_1_9 = F_r_star_K*P[33] + F_r_star_eta*P[44] + F_r_star_pi1*P[39] + F_r_star_r_star*P[18] + F_r_star_rho*P[48] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+        const bicycle_population_real FP_0_9 = (F_v_star_K*P[33] + F_v_star_eta*P[44] + F_v_star_pi1*P[39]) + (F_v_star_r_star*P[18] + F_v_star_rho*P[48] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
+        const bicycle_population_real FP_1_9 = (F_r_star_K*P[33] + F_r_star_eta*P[44] + F_r_star_pi1*P[39]) + (F_r_star_r_star*P[18] + F_r_star_rho*P[48] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
         const bicycle_population_real WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer;
-        P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0;
-        P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0;
+        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0);
+        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0);
         P[2] = FP_0_2*keep_w;
         P[3] = FP_0_3;
         P[4] = FP_0_4;
@@ -617,7 +645,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         P[8] = FP_0_8;
         P[9] = FP_0_9;
         const bicycle_population_real WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer;
-        P[10] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1;
+        P[10] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1);
         P[11] = FP_1_2*keep_w;
         P[12] = FP_1_3;
         P[13] = FP_1_4;
@@ -637,11 +665,11 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         P[27] = P[27] + dt*(diffusion + jump_drift*((R(0.0)) > (surprise - surprise_limit) ? R(0.0) : surprise - surprise_limit));
         P[54] = P[54] + bias_drift*dt;
         disturbance = disturbance*keep_w;
-        P[34] = P[34] + dt*refresh*(P_prior_4 - P[34]);
-        P[40] = P[40] + dt*refresh*(P_prior_7 - P[40]);
-        P[45] = P[45] + dt*refresh*(P_prior_9 - P[45]);
         v_star = d_v_star + v_star;
         r_star = d_r_star + r_star;
+        const bicycle_population_real follow = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);
+        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain);
+        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain);
         const bicycle_population_real response = output_scale*r_star; /* output of the model */
         predicted = output_bias + response;
         const bicycle_population_real output_rate = d_r_star*inv_dt*output_scale;
@@ -767,10 +795,10 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
             disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
             disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
-            if (excited < R(0.5)) {
+            if ((excited < R(0.5)) && (status < R(0.5))) {
                 status = R(1.0);
             }
-            if (validity > (validity_limit*validity_limit)) {
+            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
                 status = R(2.0);
             }
         }
@@ -794,6 +822,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         }
     } else {
         status = R(7.0);
+        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
     }
     estimate = K;
     variance = P[27];
@@ -801,6 +830,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
 
     state->v_star = v_star;
     state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
     state->disturbance = disturbance;
     state->K = K;
     state->pi1 = pi1;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1049
+OPERATIONS = 1058
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -38,9 +38,9 @@ CONFIG = (
     ('drift', '1/s', 'diffusion of ln K while it is observed', 1),
     ('idle_drift', '1/s', 'diffusion of ln K while nothing is heard of it', 1),
     ('jump_drift', '1/s', 'further diffusion per unit of surprise above its limit', 1),
-    ('refresh', '1/s', "rate at which the learnt groups' variance returns to the prior", 1),
     ('bias_drift', '(rad/s)^2/s', 'random walk of the output bias', 1),
     ('timing_error', 's', 'timing error between input and output', 1),
+    ('companion_rate', '1/s', 'rate at which the uncorrected states follow the estimate', 1),
     ('structure_share', '-', "structural error as a share of the output's activity", 1),
     ('structure_time', 's', 'correlation time of the structural error', 1),
     ('activity_rate', '1/s', "averaging rate of the output's activity", 1),
@@ -71,6 +71,8 @@ CONFIG = (
 STATE = (
     ('v_star', '-', 'dimensionless state', 1),
     ('r_star', '-', 'dimensionless state', 1),
+    ('v_star_plain', '-', 'the same, not corrected by measurements', 1),
+    ('r_star_plain', '-', 'the same, not corrected by measurements', 1),
     ('disturbance', 'rad', 'disturbance as an equivalent delta', 1),
     ('K', 'm^2/s^2', 'Caf L/m, front cornering stiffness per mass and length', 1),
     ('pi1', '-', 'a/L, position of the centre of gravity', 1),
@@ -136,6 +138,8 @@ def init(config):
     disturbance_scale_start = config[43]
     v_star = 0.0
     r_star = 0.0
+    v_star_plain = 0.0
+    r_star_plain = 0.0
     disturbance = 0.0
     K = K_prior
     pi1 = pi1_prior
@@ -227,16 +231,13 @@ def init(config):
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
     """One sample on the flat state, changed in place; returns (status, flat output)."""
     L = config[0]
     K_prior = config[1]
-    P_prior_4 = config[9]
-    P_prior_7 = config[12]
-    P_prior_9 = config[14]
     prior_information = config[15]
     K_low = config[16]
     K_high = config[17]
@@ -252,9 +253,9 @@ def step(config, state, sample):
     drift = config[30]
     idle_drift = config[31]
     jump_drift = config[32]
-    refresh = config[33]
-    bias_drift = config[34]
-    timing_error = config[35]
+    bias_drift = config[33]
+    timing_error = config[34]
+    companion_rate = config[35]
     structure_share = config[36]
     structure_time = config[37]
     activity_rate = config[38]
@@ -285,81 +286,83 @@ def step(config, state, sample):
     measured = sample[3]
     v_star = state[0]
     r_star = state[1]
-    disturbance = state[2]
-    K = state[3]
-    pi1 = state[4]
-    eta = state[5]
-    rho = state[6]
-    input_offset = state[7]
-    output_bias = state[8]
-    P_0 = state[9]
-    P_1 = state[10]
-    P_2 = state[11]
-    P_3 = state[12]
-    P_4 = state[13]
-    P_5 = state[14]
-    P_6 = state[15]
-    P_7 = state[16]
-    P_8 = state[17]
-    P_9 = state[18]
-    P_10 = state[19]
-    P_11 = state[20]
-    P_12 = state[21]
-    P_13 = state[22]
-    P_14 = state[23]
-    P_15 = state[24]
-    P_16 = state[25]
-    P_17 = state[26]
-    P_18 = state[27]
-    P_19 = state[28]
-    P_20 = state[29]
-    P_21 = state[30]
-    P_22 = state[31]
-    P_23 = state[32]
-    P_24 = state[33]
-    P_25 = state[34]
-    P_26 = state[35]
-    P_27 = state[36]
-    P_28 = state[37]
-    P_29 = state[38]
-    P_30 = state[39]
-    P_31 = state[40]
-    P_32 = state[41]
-    P_33 = state[42]
-    P_34 = state[43]
-    P_35 = state[44]
-    P_36 = state[45]
-    P_37 = state[46]
-    P_38 = state[47]
-    P_39 = state[48]
-    P_40 = state[49]
-    P_41 = state[50]
-    P_42 = state[51]
-    P_43 = state[52]
-    P_44 = state[53]
-    P_45 = state[54]
-    P_46 = state[55]
-    P_47 = state[56]
-    P_48 = state[57]
-    P_49 = state[58]
-    P_50 = state[59]
-    P_51 = state[60]
-    P_52 = state[61]
-    P_53 = state[62]
-    P_54 = state[63]
-    noise_scale = state[64]
-    disturbance_scale = state[65]
-    activity = state[66]
-    settling = state[67]
-    surprise = state[68]
-    excitation = state[69]
-    excited = state[70]
-    validity = state[71]
-    information = state[72]
-    last_input = state[73]
-    last_U = state[74]
-    age = state[75]
-    started = state[76]
+    v_star_plain = state[2]
+    r_star_plain = state[3]
+    disturbance = state[4]
+    K = state[5]
+    pi1 = state[6]
+    eta = state[7]
+    rho = state[8]
+    input_offset = state[9]
+    output_bias = state[10]
+    P_0 = state[11]
+    P_1 = state[12]
+    P_2 = state[13]
+    P_3 = state[14]
+    P_4 = state[15]
+    P_5 = state[16]
+    P_6 = state[17]
+    P_7 = state[18]
+    P_8 = state[19]
+    P_9 = state[20]
+    P_10 = state[21]
+    P_11 = state[22]
+    P_12 = state[23]
+    P_13 = state[24]
+    P_14 = state[25]
+    P_15 = state[26]
+    P_16 = state[27]
+    P_17 = state[28]
+    P_18 = state[29]
+    P_19 = state[30]
+    P_20 = state[31]
+    P_21 = state[32]
+    P_22 = state[33]
+    P_23 = state[34]
+    P_24 = state[35]
+    P_25 = state[36]
+    P_26 = state[37]
+    P_27 = state[38]
+    P_28 = state[39]
+    P_29 = state[40]
+    P_30 = state[41]
+    P_31 = state[42]
+    P_32 = state[43]
+    P_33 = state[44]
+    P_34 = state[45]
+    P_35 = state[46]
+    P_36 = state[47]
+    P_37 = state[48]
+    P_38 = state[49]
+    P_39 = state[50]
+    P_40 = state[51]
+    P_41 = state[52]
+    P_42 = state[53]
+    P_43 = state[54]
+    P_44 = state[55]
+    P_45 = state[56]
+    P_46 = state[57]
+    P_47 = state[58]
+    P_48 = state[59]
+    P_49 = state[60]
+    P_50 = state[61]
+    P_51 = state[62]
+    P_52 = state[63]
+    P_53 = state[64]
+    P_54 = state[65]
+    noise_scale = state[66]
+    disturbance_scale = state[67]
+    activity = state[68]
+    settling = state[69]
+    surprise = state[70]
+    excitation = state[71]
+    excited = state[72]
+    validity = state[73]
+    information = state[74]
+    last_input = state[75]
+    last_U = state[76]
+    age = state[77]
+    started = state[78]
     U_now = 0.0
     anew = 0.0
     diffusion = 0.0
@@ -372,7 +375,7 @@ def step(config, state, sample):
     predicted = output_bias
     innovation = 0.0
     innovation_variance = noise_scale*noise_variance
-    if (dt < 1000000.0) and (dt > 0.0):  # time must advance
+    if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
         usable = 1.0
         age = age + dt
         if (U < signal_limit) and (U > (-signal_limit)) and (input < input_limit) and (input > (-input_limit)):  # a missing input or scale is held
@@ -390,7 +393,7 @@ def step(config, state, sample):
             last_input = u_now
             last_U = U_now
         anew = (1.0 if (age > gap) and (started > 0.5) else 0.0)  # 1 where the dynamic state starts anew
-        if (age > gap) and (started > 0.5):  # too long without a sample
+        if (age > gap) and (started > 0.5) and (usable > 0.5):  # too long without a sample
             status = 5.0
         if (10.0*(U_now*U_now) > K_prior) and (U_now > 0.0):  # the dynamics cannot be seen
             pass
@@ -432,82 +435,103 @@ def step(config, state, sample):
             disturbance = 0.0
             excitation = 0.0
             excited = 0.0
-        at_U = (0.05 if (0.05) > (U_now) else U_now)  # kept off zero
-        was_U = (0.05 if (0.05) > (last_U) else last_U)
+            surprise = 1.0
+        least_scale = 0.0003333333333333333*signal_limit
+        at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
+        was_U = (last_U if (last_U) > (least_scale) else least_scale)
         inv_U = (1.0/at_U)
         inv_L = (1.0/L)
         inv_dt = (1.0/dt)
         output_scale = at_U*inv_L  # r = scale x dimensionless
         inv_output_scale = L*inv_U
-        h = at_U*dt*inv_L  # dimensionless time step
+        span = (dt if (dt) < (gap) else gap)  # [s] after a gap the dynamics start anew anyway
+        h = at_U*inv_L*span  # dimensionless time step
         ratio_v_star = inv_U*was_U  # same physical state in the new scales
         v_star = ratio_v_star*v_star
+        v_star_plain = ratio_v_star*v_star_plain
         ratio_r_star = inv_U*was_U  # same physical state in the new scales
         r_star = r_star*ratio_r_star
+        r_star_plain = r_star_plain*ratio_r_star
         steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
-        u = disturbance + input_offset + steer  # effective input [-]
-        inv0 = (1.0/pi1)
-        inv1 = (1.0/rho)
-        inv2 = (1.0/(1.0 - pi1))
-        c0 = (inv_U*inv_U)
-        c1 = K*c0
-        c2 = c1*v_star
-        c3 = c1*pi1
-        c4 = c3*r_star
-        c5 = c2*pi1
+        u_plain = input_offset + steer  # input without the disturbance [-]
+        u = disturbance + u_plain  # effective input [-]
+        inv0 = (1.0/rho)
+        inv1 = (1.0/(pi1 - 1.0))
+        c0 = (-r_star)
+        c1 = (inv_U*inv_U)
+        c2 = v_star + pi1*r_star
+        c3 = c2 - u
+        c4 = c0 + c2
+        c5 = c1*pi1
         c6 = c5*eta
-        c7 = (pi1*pi1)
-        c8 = c1*c7
-        c9 = 1.0 - pi1
-        c10 = c4*eta
-        c11 = K*c0*pi1*u + K*c0*eta*pi1*v_star - c5 - c10*c9 - c8*r_star
-        c12 = inv1*inv2
-        c13 = c12*inv0
-        c14 = c11*c13
-        c15 = c3*eta
-        c16 = c13*h
-        c17 = c0*v_star
-        c18 = c0*r_star
-        c19 = c18*pi1
-        c20 = c17*pi1
-        c21 = c1*r_star
-        c22 = c2*eta
-        c23 = (inv2*inv2)
-        f_v_star = K*c0*u + K*c0*eta*pi1*r_star - c2 - c4 - r_star - c6*inv2  # rate [-]
-        f_r_star = c14  # rate [-]
-        J_00 = h*((-c1) - c15*inv2)
-        J_01 = h*(K*c0*eta*pi1 - 1.0 - c3)
-        J_10 = c16*(c15 - c3)
-        J_11 = c16*((-c8) - c15*c9)
-        f_v_star_K = K*(c0*u + c0*eta*pi1*r_star - c17 - c19 - c20*eta*inv2)
-        f_r_star_K = K*c13*(c0*pi1*u + c0*eta*pi1*v_star - c20 - c18*c7 - c19*c9*eta)
-        f_v_star_pi1 = K*c0*eta*r_star - c21 - c22*inv2 - c23*c6
-        f_r_star_pi1 = c13*(c10 + c22 + c1*u - c2 - 2.0*c4 - c21*c9*eta) + c11*c23*inv0*inv1 - c11*c12*(inv0*inv0)
-        f_v_star_eta = eta*(c4 - c5*inv2)
-        f_r_star_eta = c13*eta*(c5 - c4*c9)
+        c7 = c6*inv1
+        c8 = c1*inv0
+        c9 = c8*eta*inv1
+        c10 = (-r_star_plain)
+        c11 = v_star_plain + pi1*r_star_plain
+        c12 = c11 - u_plain
+        c13 = c1*c12
+        c14 = c10 + c11
+        c15 = c14*c7
+        c16 = K*(c15 - c13)
+        c17 = K*(c1*c12*inv0*inv1 - c14*c9)
+        c18 = 0.16666666666666666*h
+        c19 = K*c18
+        c20 = c8*eta
+        c21 = c1*r_star_plain
+        c22 = (inv1*inv1)
+        c23 = c14*c22
+        c24 = inv0*inv1
+        c25 = c21*c24
+        c26 = c14*eta
+        c27 = K*c1
+        c28 = c24*c27
+        c29 = (inv0*inv0)
+        f_v_star = c0 + K*(c4*c7 - c1*c3)  # rate [-]
+        f_r_star = K*(c1*c3*inv0*inv1 - c4*c9)  # rate [-]
+        f_v_star_plain = c10 + c16
+        f_r_star_plain = c17
+        J_00 = c19*(c7 - c1)
+        J_01 = c18*(K*(c6 - c5) - 1.0)
+        J_10 = c19*(c1*inv0*inv1 - c9)
+        J_11 = c19*(c1*inv0*inv1*pi1 - c20)
+        f_v_star_K = c16
+        f_r_star_K = c17
+        f_v_star_pi1 = K*(c1*c14*eta*inv1 + c1*eta*inv1*pi1*r_star_plain - c21 - c23*c6)
+        f_r_star_pi1 = K*(c25 + c20*c23 - c25*eta - c13*c22*inv0)
+        f_v_star_eta = K*c15
+        f_r_star_eta = (-c26*c28)
         f_v_star_rho = 0.0
-        f_r_star_rho = (-c14)
-        f_v_star_u = c1
-        f_r_star_u = c1*c12
-        N_00 = 1.0 + 0.5*(J_00*J_00) + 0.5*J_01*J_10 - J_00
-        N_01 = 0.5*J_00*J_01 + 0.5*J_01*J_11 - J_01
-        N_10 = 0.5*J_00*J_10 + 0.5*J_10*J_11 - J_10
-        N_11 = 1.0 + 0.5*(J_11*J_11) + 0.5*J_01*J_10 - J_11
-        inv_det = (1.0/(N_00*N_11 - N_01*N_10))  # det N > 0 for every real J
-        M_00 = N_11*inv_det  # dx+/dx
-        M_01 = (-N_01*inv_det)
-        M_10 = (-N_10*inv_det)
-        M_11 = N_00*inv_det
-        B_00 = h*(1.0 - 0.5*J_00)
-        B_01 = (-0.5*J_01*h)
-        B_10 = (-0.5*J_10*h)
-        B_11 = h*(1.0 - 0.5*J_11)
-        G_00 = B_00*M_00 + B_10*M_01
-        G_01 = B_01*M_00 + B_11*M_01
-        G_10 = B_00*M_10 + B_10*M_11
-        G_11 = B_01*M_10 + B_11*M_11
+        f_r_star_rho = K*rho*(c1*c26*c29*inv1 - c13*c29*inv1)
+        f_v_star_u = c27
+        f_r_star_u = (-c28)
+        p0 = J_00*J_11 - J_01*J_10
+        p1 = (-J_00) - J_11
+        n0 = 1.0 - 1.5*p0
+        n1 = (-2.0) - 1.5*p1
+        i_det = (1.0/((n0*n0) + p0*(n1*n1) - n0*n1*p1))  # det N > 0 for every real J
+        i0 = i_det*(n0 - n1*p1)
+        i1 = (-i_det*n1)
+        E0 = i0 - i1*p0  # half a step
+        E1 = i0 + i1 - i1*p1
+        H0 = 0.5*h*i0 + 0.25*h*i1*p0  # change per rate over half a step
+        H1 = 0.5*h*i1 + 0.25*h*i1*p1 - 0.25*h*i0
+        m0 = (E0*E0) - p0*(E1*E1)
+        m1 = 2.0*E0*E1 - p1*(E1*E1)
+        g0 = H0*(1.0 + E0) - E1*H1*p0
+        g1 = E1*H0 + H1*(1.0 + E0) - E1*H1*p1
+        M_00 = m0 + J_00*m1  # dx+/dx
+        M_01 = J_01*m1
+        M_10 = J_10*m1
+        M_11 = m0 + J_11*m1
+        G_00 = g0 + J_00*g1  # change per rate
+        G_01 = J_01*g1
+        G_10 = J_10*g1
+        G_11 = g0 + J_11*g1
         d_v_star = G_00*f_v_star + G_01*f_r_star  # change over the step [-]
         d_r_star = G_10*f_v_star + G_11*f_r_star  # change over the step [-]
+        d_v_star_plain = G_00*f_v_star_plain + G_01*f_r_star_plain
+        d_r_star_plain = G_10*f_v_star_plain + G_11*f_r_star_plain
         F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
         F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
         F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1
@@ -523,9 +547,9 @@ def step(config, state, sample):
         move = 0.0
         diffusion = drift
         if excited < 0.5:  # nothing heard: it may have changed, and the population is the best guess
-            diffusion = idle_drift
             lost = (1.0 if (1.0) < (0.5*dt*idle_drift*prior_information) else 0.5*dt*idle_drift*prior_information)
             keep = 1.0 - lost
+            diffusion = lost*(1.0 + keep)/(dt*prior_information)  # for long: the prior variance
             P_3 = P_3*keep
             P_12 = P_12*keep
             P_20 = P_20*keep
@@ -548,38 +572,38 @@ def step(config, state, sample):
         F_r_star_v_star = M_10*ratio_v_star
         F_r_star_r_star = M_11*ratio_r_star
         PW_0 = P_2 + P_8 + P_7*steer
-        FP_0_0 = F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
-        FP_1_0 = F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
+        FP_0_0 = (F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4) + (F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0)
+        FP_1_0 = (F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4) + (F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0)
         PW_1 = P_11 + P_17 + P_16*steer
-        FP_0_1 = F_v_star_K*P_12 + F_v_star_eta*P_14 + F_v_star_pi1*P_13 + F_v_star_r_star*P_10 + F_v_star_rho*P_15 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
-        FP_1_1 = F_r_star_K*P_12 + F_r_star_eta*P_14 + F_r_star_pi1*P_13 + F_r_star_r_star*P_10 + F_r_star_rho*P_15 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
+        FP_0_1 = (F_v_star_K*P_12 + F_v_star_eta*P_14 + F_v_star_pi1*P_13) + (F_v_star_r_star*P_10 + F_v_star_rho*P_15 + F_v_star_u*PW_1 + F_v_star_v_star*P_1)
+        FP_1_1 = (F_r_star_K*P_12 + F_r_star_eta*P_14 + F_r_star_pi1*P_13) + (F_r_star_r_star*P_10 + F_r_star_rho*P_15 + F_r_star_u*PW_1 + F_r_star_v_star*P_1)
         PW_2 = P_19 + P_25 + P_24*steer
-        FP_0_2 = F_v_star_K*P_20 + F_v_star_eta*P_22 + F_v_star_pi1*P_21 + F_v_star_r_star*P_11 + F_v_star_rho*P_23 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
-        FP_1_2 = F_r_star_K*P_20 + F_r_star_eta*P_22 + F_r_star_pi1*P_21 + F_r_star_r_star*P_11 + F_r_star_rho*P_23 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
+        FP_0_2 = (F_v_star_K*P_20 + F_v_star_eta*P_22 + F_v_star_pi1*P_21) + (F_v_star_r_star*P_11 + F_v_star_rho*P_23 + F_v_star_u*PW_2 + F_v_star_v_star*P_2)
+        FP_1_2 = (F_r_star_K*P_20 + F_r_star_eta*P_22 + F_r_star_pi1*P_21) + (F_r_star_r_star*P_11 + F_r_star_rho*P_23 + F_r_star_u*PW_2 + F_r_star_v_star*P_2)
         PW_3 = P_20 + P_32 + P_31*steer
-        FP_0_3 = F_v_star_K*P_27 + F_v_star_eta*P_29 + F_v_star_pi1*P_28 + F_v_star_r_star*P_12 + F_v_star_rho*P_30 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
-        FP_1_3 = F_r_star_K*P_27 + F_r_star_eta*P_29 + F_r_star_pi1*P_28 + F_r_star_r_star*P_12 + F_r_star_rho*P_30 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
+        FP_0_3 = (F_v_star_K*P_27 + F_v_star_eta*P_29 + F_v_star_pi1*P_28) + (F_v_star_r_star*P_12 + F_v_star_rho*P_30 + F_v_star_u*PW_3 + F_v_star_v_star*P_3)
+        FP_1_3 = (F_r_star_K*P_27 + F_r_star_eta*P_29 + F_r_star_pi1*P_28) + (F_r_star_r_star*P_12 + F_r_star_rho*P_30 + F_r_star_u*PW_3 + F_r_star_v_star*P_3)
         PW_4 = P_21 + P_38 + P_37*steer
-        FP_0_4 = F_v_star_K*P_28 + F_v_star_eta*P_35 + F_v_star_pi1*P_34 + F_v_star_r_star*P_13 + F_v_star_rho*P_36 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
-        FP_1_4 = F_r_star_K*P_28 + F_r_star_eta*P_35 + F_r_star_pi1*P_34 + F_r_star_r_star*P_13 + F_r_star_rho*P_36 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
+        FP_0_4 = (F_v_star_K*P_28 + F_v_star_eta*P_35 + F_v_star_pi1*P_34) + (F_v_star_r_star*P_13 + F_v_star_rho*P_36 + F_v_star_u*PW_4 + F_v_star_v_star*P_4)
+        FP_1_4 = (F_r_star_K*P_28 + F_r_star_eta*P_35 + F_r_star_pi1*P_34) + (F_r_star_r_star*P_13 + F_r_star_rho*P_36 + F_r_star_u*PW_4 + F_r_star_v_star*P_4)
         PW_5 = P_22 + P_43 + P_42*steer
-        FP_0_5 = F_v_star_K*P_29 + F_v_star_eta*P_40 + F_v_star_pi1*P_35 + F_v_star_r_star*P_14 + F_v_star_rho*P_41 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
-        FP_1_5 = F_r_star_K*P_29 + F_r_star_eta*P_40 + F_r_star_pi1*P_35 + F_r_star_r_star*P_14 + F_r_star_rho*P_41 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
+        FP_0_5 = (F_v_star_K*P_29 + F_v_star_eta*P_40 + F_v_star_pi1*P_35) + (F_v_star_r_star*P_14 + F_v_star_rho*P_41 + F_v_star_u*PW_5 + F_v_star_v_star*P_5)
+        FP_1_5 = (F_r_star_K*P_29 + F_r_star_eta*P_40 + F_r_star_pi1*P_35) + (F_r_star_r_star*P_14 + F_r_star_rho*P_41 + F_r_star_u*PW_5 + F_r_star_v_star*P_5)
         PW_6 = P_23 + P_47 + P_46*steer
-        FP_0_6 = F_v_star_K*P_30 + F_v_star_eta*P_41 + F_v_star_pi1*P_36 + F_v_star_r_star*P_15 + F_v_star_rho*P_45 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
-        FP_1_6 = F_r_star_K*P_30 + F_r_star_eta*P_41 + F_r_star_pi1*P_36 + F_r_star_r_star*P_15 + F_r_star_rho*P_45 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
+        FP_0_6 = (F_v_star_K*P_30 + F_v_star_eta*P_41 + F_v_star_pi1*P_36) + (F_v_star_r_star*P_15 + F_v_star_rho*P_45 + F_v_star_u*PW_6 + F_v_star_v_star*P_6)
+        FP_1_6 = (F_r_star_K*P_30 + F_r_star_eta*P_41 + F_r_star_pi1*P_36) + (F_r_star_r_star*P_15 + F_r_star_rho*P_45 + F_r_star_u*PW_6 + F_r_star_v_star*P_6)
         PW_7 = P_24 + P_50 + P_49*steer
-        FP_0_7 = F_v_star_K*P_31 + F_v_star_eta*P_42 + F_v_star_pi1*P_37 + F_v_star_r_star*P_16 + F_v_star_rho*P_46 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
-        FP_1_7 = F_r_star_K*P_31 + F_r_star_eta*P_42 + F_r_star_pi1*P_37 + F_r_star_r_star*P_16 + F_r_star_rho*P_46 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
+        FP_0_7 = (F_v_star_K*P_31 + F_v_star_eta*P_42 + F_v_star_pi1*P_37) + (F_v_star_r_star*P_16 + F_v_star_rho*P_46 + F_v_star_u*PW_7 + F_v_star_v_star*P_7)
+        FP_1_7 = (F_r_star_K*P_31 + F_r_star_eta*P_42 + F_r_star_pi1*P_37) + (F_r_star_r_star*P_16 + F_r_star_rho*P_46 + F_r_star_u*PW_7 + F_r_star_v_star*P_7)
         PW_8 = P_25 + P_52 + P_50*steer
-        FP_0_8 = F_v_star_K*P_32 + F_v_star_eta*P_43 + F_v_star_pi1*P_38 + F_v_star_r_star*P_17 + F_v_star_rho*P_47 + F_v_star_u*PW_8 + F_v_star_v_star*P_8
-        FP_1_8 = F_r_star_K*P_32 + F_r_star_eta*P_43 + F_r_star_pi1*P_38 + F_r_star_r_star*P_17 + F_r_star_rho*P_47 + F_r_star_u*PW_8 + F_r_star_v_star*P_8
+        FP_0_8 = (F_v_star_K*P_32 + F_v_star_eta*P_43 + F_v_star_pi1*P_38) + (F_v_star_r_star*P_17 + F_v_star_rho*P_47 + F_v_star_u*PW_8 + F_v_star_v_star*P_8)
+        FP_1_8 = (F_r_star_K*P_32 + F_r_star_eta*P_43 + F_r_star_pi1*P_38) + (F_r_star_r_star*P_17 + F_r_star_rho*P_47 + F_r_star_u*PW_8 + F_r_star_v_star*P_8)
         PW_9 = P_26 + P_53 + P_51*steer
-        FP_0_9 = F_v_star_K*P_33 + F_v_star_eta*P_44 + F_v_star_pi1*P_39 + F_v_star_r_star*P_18 + F_v_star_rho*P_48 + F_v_star_u*PW_9 + F_v_star_v_star*P_9
-        FP_1_9 = F_r_star_K*P_33 + F_r_star_eta*P_44 + F_r_star_pi1*P_39 + F_r_star_r_star*P_18 + F_r_star_rho*P_48 + F_r_star_u*PW_9 + F_r_star_v_star*P_9
+        FP_0_9 = (F_v_star_K*P_33 + F_v_star_eta*P_44 + F_v_star_pi1*P_39) + (F_v_star_r_star*P_18 + F_v_star_rho*P_48 + F_v_star_u*PW_9 + F_v_star_v_star*P_9)
+        FP_1_9 = (F_r_star_K*P_33 + F_r_star_eta*P_44 + F_r_star_pi1*P_39) + (F_r_star_r_star*P_18 + F_r_star_rho*P_48 + F_r_star_u*PW_9 + F_r_star_v_star*P_9)
         WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer
-        P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0
-        P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0
+        P_0 = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0)
+        P_1 = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0)
         P_2 = FP_0_2*keep_w
         P_3 = FP_0_3
         P_4 = FP_0_4
@@ -589,7 +613,7 @@ def step(config, state, sample):
         P_8 = FP_0_8
         P_9 = FP_0_9
         WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer
-        P_10 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1
+        P_10 = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1)
         P_11 = FP_1_2*keep_w
         P_12 = FP_1_3
         P_13 = FP_1_4
@@ -609,11 +633,11 @@ def step(config, state, sample):
         P_27 = P_27 + dt*(diffusion + jump_drift*(0.0 if (0.0) > (surprise - surprise_limit) else surprise - surprise_limit))
         P_54 = P_54 + bias_drift*dt
         disturbance = disturbance*keep_w
-        P_34 = P_34 + dt*refresh*(P_prior_4 - P_34)
-        P_40 = P_40 + dt*refresh*(P_prior_7 - P_40)
-        P_45 = P_45 + dt*refresh*(P_prior_9 - P_45)
         v_star = d_v_star + v_star
         r_star = d_r_star + r_star
+        follow = (1.0 if (1.0) < (companion_rate*dt) else companion_rate*dt)
+        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain)
+        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain)
         response = output_scale*r_star  # output of the model
         predicted = output_bias + response
         output_rate = d_r_star*inv_dt*output_scale
@@ -738,9 +762,9 @@ def step(config, state, sample):
             disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*(1.0 if (1.0) < (disturbance_adapt*dt) else disturbance_adapt*dt)/unseen
             disturbance_scale = (disturbance_scale if (disturbance_scale) > (disturbance_scale_low) else disturbance_scale_low)
             disturbance_scale = (disturbance_scale if (disturbance_scale) < (disturbance_scale_high) else disturbance_scale_high)
-            if excited < 0.5:
+            if (excited < 0.5) and (status < 0.5):
                 status = 1.0
-            if validity > (validity_limit*validity_limit):
+            if (status < 1.5) and (validity > (validity_limit*validity_limit)):
                 status = 2.0
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
@@ -759,8 +783,9 @@ def step(config, state, sample):
             started = 1.0
     else:
         status = 7.0
+        age = (1000000.0 if dt > 1.0 else age)  # an endless pause is a gap for the next sample
     estimate = K
     variance = P_27
     information_gained = information
-    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

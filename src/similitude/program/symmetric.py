@@ -36,7 +36,7 @@ class Symmetric:
 
     def target(self, i: int, j: int) -> str:
         """Name to assign entry (i, j) to."""
-        return f"{self.name}_{self.index(i, j)}"
+        return self.field("-", "").symbols[self.index(i, j)].name
 
     def __getitem__(self, at: tuple[int, int]) -> sp.Symbol:
         return sp.Symbol(self.target(*at), real=True)

@@ -7,12 +7,15 @@ are products, there is no function call, and a select is the only branch inside 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from similitude.errors import ProgramError
+
+
+LONG_SUM = 4  # terms; from here on a sum is added in two halves, which a processor does side by side
 
 
 @dataclass(frozen=True)
@@ -86,6 +89,12 @@ class _Printer:
         terms = sorted(
             node.args, key=lambda a: (a.could_extract_minus_sign(), sp.default_sort_key(a))
         )
+        if len(terms) >= LONG_SUM and not any(t.could_extract_minus_sign() for t in terms):
+            half = len(terms) // 2
+            return f"({self._sum(terms[:half])}) + ({self._sum(terms[half:])})"
+        return self._sum(terms)
+
+    def _sum(self, terms: Sequence[sp.Expr]) -> str:
         text = self.text(terms[0])
         for term in terms[1:]:
             if term.could_extract_minus_sign():

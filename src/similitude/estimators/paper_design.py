@@ -1,0 +1,178 @@
+"""Numbers of the paper's regression: its filters, its constants, and how far its line holds.
+
+Invariant: every number of the configuration is given by the caller, is one of the paper's
+constants below, or guards against values no car produces. scipy is imported when first needed.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from similitude.program.library import Library
+
+GRAVITY = 9.80665  # m/s^2
+CORNER = 45.0  # rad/s, of the high-pass (paper, section 6)
+SETTLING = 5.0 / CORNER  # s that the high-pass is given before its output is used
+RANGE = (0.1, 1.4)  # of pi3, over which the paper draws its lines (Figure 4)
+GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to be trusted
+JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
+PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
+
+DESIGN = {
+    "forgetting": 0.99995,  # paper, section 6
+    "dead_zone": 0.1,  # rad/s, same place
+    "pi3_start": 0.2,  # the paper is silent on this and the next
+    "P_start": 1e9,
+    "pi3_low": 1e-3,  # reported for a regression that says zero or less
+    "pi3_limit": 1e6,
+    "P_low": 1e-12,
+    "P_high": 1e12,
+    "variance_limit": 1.0,  # of ln K: a factor e either way is nothing known
+    "U_least": 0.5,  # m/s
+    "input_limit": 1.3,  # rad
+    "output_limit": 12.0,  # rad/s
+    "signal_limit": 150.0,  # m/s
+    "validity_limit": 0.3 * GRAVITY,  # m/s^2
+}
+
+
+def bessel_biquads(sample_time: float, *, corner: float = CORNER) -> NDArray[np.float64]:
+    """The fourth-order high-pass Bessel filter as two sections.
+
+    Phase-normalised at ``corner`` and taken to discrete time by the bilinear rule without
+    prewarping, which the paper leaves open.
+
+    Parameters
+    ----------
+    sample_time : [s].
+    corner : [rad/s].
+
+    Returns
+    -------
+    sections : (2, 5) numbers b0, b1, b2, a1, a2 of each section, a0 = 1 [-].
+    """
+    from scipy import signal
+
+    analog = signal.bessel(4, corner, "highpass", analog=True, output="zpk", norm="phase")
+    sections = signal.zpk2sos(*signal.bilinear_zpk(*analog, fs=1.0 / sample_time))
+    return np.delete(sections, 3, axis=1)
+
+
+def paper_config(
+    library: Library,
+    *,
+    sample_time: float,
+    L: float,
+    noise_std: float,
+    pi1: float,
+    pi4_slope: float,
+    pi5: float,
+    **changes: float,
+) -> NDArray[np.float64]:
+    """The flat configuration of ``bicycle_paper``.
+
+    Parameters
+    ----------
+    library : the compiled estimator.
+    sample_time : [s]; steps from half to one and a half of it count as one sample.
+    L : wheelbase [m].
+    noise_std : white noise of the yaw rate a sample [rad/s], > 0; bounds the reported variance.
+    pi1, pi4_slope, pi5 : frozen groups [-]; the paper's averages are ``PAPER_GROUPS``.
+    changes : design constants to replace, by name.
+
+    Raises
+    ------
+    ProgramError    a value is missing, not finite or not a field.
+    """
+    first, second = bessel_biquads(sample_time)
+    values: dict = {**DESIGN, "L": L, "pi1": pi1, "pi4_slope": pi4_slope, "pi5": pi5}
+    values |= {
+        "sample_time": sample_time,
+        "biquad_1": first,
+        "biquad_2": second,
+        "settle_samples": max(3, math.ceil(SETTLING / sample_time)),
+        "output_jump": JUMP[0] + JUMP[1] * noise_std + JUMP[2] * sample_time,
+        "noise_variance": noise_std**2,
+        "dt_low": 0.5 * sample_time,
+        "dt_high": 1.5 * sample_time,
+    }
+    return library.config(values | changes)
+
+
+def dimensionless_step(sample_time: float, U: float, L: float) -> float:
+    """T = Ts U/L [-]: the sample time [s] at speed U [m/s] and wheelbase L [m]."""
+    return sample_time * U / L
+
+
+def slopes(T: float, *, pi1: float, pi4_slope: float, pi5: float) -> tuple[float, float]:
+    """m1, m2 of the lines b1 = m1 pi3 and a1 + 2 = m2 pi3 (eq 22, with T once in m2) [-]."""
+    rear = (1.0 - pi1) ** 2 * pi4_slope
+    return pi1 / pi5 * T, (1.0 + pi4_slope + (pi1**2 + rear) / pi5) * T
+
+
+def exact_coefficients(
+    pi3: ArrayLike, T: float, *, pi1: float, pi4_slope: float, pi5: float
+) -> NDArray[np.float64]:
+    """b1, b2, a1 + 2, a2 - 1 of the exact zero-order hold of eq 19.
+
+    Parameters
+    ----------
+    pi3 : (n,) [-].
+    T : dimensionless sample time [-].
+
+    Returns
+    -------
+    coefficients : (n, 4) [-].
+    """
+    from scipy.linalg import expm
+
+    front = np.atleast_1d(np.asarray(pi3, dtype=float))
+    rear, cross = pi4_slope * front, pi4_slope * front * (1 - pi1) - pi1 * front
+    block = np.zeros((front.size, 3, 3))
+    block[:, 0, 0], block[:, 0, 1] = -(front + rear), cross - 1
+    block[:, 1, 0] = cross / pi5
+    block[:, 1, 1] = -(pi1**2 * front + (1 - pi1) ** 2 * rear) / pi5
+    block[:, 0, 2], block[:, 1, 2] = front, pi1 * front / pi5
+    Phi = expm(block * T)
+    F, G = Phi[:, :2, :2], Phi[:, :2, 2]
+    b2 = F[:, 1, 0] * G[:, 0] - F[:, 0, 0] * G[:, 1]
+    trace, determinant = F[:, 0, 0] + F[:, 1, 1], np.linalg.det(F)
+    return np.stack([G[:, 1], b2, 2 - trace, determinant - 1], axis=1)
+
+
+def linearity_error(T: float, pi1: float, k: float, pi5: float) -> dict[str, float]:
+    """Worst relative error of the linear z-coefficients over 0.1 <= pi3 <= 1.4.
+
+    Parameters
+    ----------
+    T : dimensionless sample time [-].
+    pi1, k, pi5 : frozen groups, k = pi4/pi3 [-].
+
+    Returns
+    -------
+    errors : linear over exact minus one, largest in magnitude, of ``b1``, ``b2``, ``a1+2``,
+        ``a2-1`` with its sign, and ``least`` and ``worst`` of their magnitudes [-].
+    """
+    pi3 = np.linspace(*RANGE, 131)
+    exact = exact_coefficients(pi3, T, pi1=pi1, pi4_slope=k, pi5=pi5)
+    m1, m2 = slopes(T, pi1=pi1, pi4_slope=k, pi5=pi5)
+    error = pi3[:, None] * np.array([m1, -m1, m2, -m2]) / exact - 1.0
+    largest = error[np.abs(error).argmax(axis=0), np.arange(4)]
+    named = dict(zip(("b1", "b2", "a1+2", "a2-1"), largest.tolist(), strict=True))
+    sizes = np.abs(largest)
+    return {**named, "least": float(sizes.min()), "worst": float(sizes.max())}
+
+
+def linearity_warning(T: float, pi1: float, k: float, pi5: float) -> str:
+    """A sentence where T is too large for the regression's lines; empty where it is not."""
+    if T <= GREATEST_T:
+        return ""
+    error = linearity_error(T, pi1, k, pi5)
+    return (
+        f"dimensionless sample time T = {T:.3f} is above {GREATEST_T}: the coefficients the "
+        f"regression takes as linear in pi3 are wrong by up to {100 * error['least']:.0f} to "
+        f"{100 * error['worst']:.0f} %; a sample rate {T / GREATEST_T:.1f} times as high would do"
+    )
