@@ -91,9 +91,13 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     substitution = {q.symbol: scale[q.name] * g.symbol for q, g in zip(free, groups, strict=True)}
     signals = (*model.states, *model.inputs)
     substitution |= {q.symbol: scale[q.name] * q.symbol for q in signals}
+    positive = {model.quantity(n).symbol: sp.Symbol(n, positive=True) for n in base}
+    real = {symbol: name for name, symbol in positive.items()}
 
     def dimensionless(expression: sp.Expr, unit: sp.Expr, where: str) -> sp.Expr:
         result = sp.expand(sp.sympify(expression).xreplace(substitution) / unit)
+        if result.free_symbols & positive.keys():  # sums under a fraction or a root
+            result = sp.simplify(result.xreplace(positive)).xreplace(real)
         left = sorted({s.name for s in result.free_symbols} & set(base))
         if left:
             raise ModelError(

@@ -119,13 +119,16 @@ def measurement(layout: Layout) -> list[Statement]:
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
     at = {name: i for i, name in enumerate(layout.coordinates)}
+    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion, strict=True)}
     H: dict[int, sp.Expr] = {}
     for name in layout.fast:
         slope = S("output_scale") * output.diff(S(name))
         if slope != 0:
             H[at[name]] = slope
     for u in layout.reduction.unknowns:
-        slope = S("output_scale") * output.diff(u.symbol) * u.jacobian
+        # along the companion: a corrected state holds noise of the measurement it would be
+        # weighed against, and the unknown would be drawn away by their product
+        slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian
         if slope != 0:
             H[at[u.name]] = slope
     H[at[BIAS]] = sp.Integer(1)

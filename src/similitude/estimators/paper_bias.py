@@ -60,7 +60,7 @@ def autocorrelation(biquads: ArrayLike, lags: int = 3) -> NDArray[np.float64]:
 
     sections = np.insert(np.asarray(biquads, dtype=float).reshape(-1, 5), 3, 1.0, axis=1)
     poles = np.concatenate([np.roots(row[3:]) for row in sections])
-    length = int(40.0 / -np.log(np.abs(poles).max())) + 64  # e^-40 is beyond double precision
+    length = int(40.0 / -np.log(max(np.abs(poles).max(), 0.01))) + 64  # e^-40 is beyond double precision
     impulse = np.zeros(length)
     impulse[0] = 1.0
     response = sosfilt(sections, impulse)

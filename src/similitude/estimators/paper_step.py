@@ -157,9 +157,7 @@ def _outputs(r: Regression) -> list[Statement]:
         Assign(r.unknown, sp.Max(S("theta"), S(f"{r.unknown}_low"))),
         Assign("estimate", pi / _at(r, r.per_target)),
         Assign("raw", raw, "raw output per dimensionless residual"),
-        Assign(
-            "innovation_variance", sp.Max(S("mean_square") * S("raw") ** 2, S("noise_variance"))
-        ),
+        Assign("innovation_variance", sp.Max(S("mean_square") * S("raw") ** 2, S("noise_variance"))),
         Assign("variance", sp.Piecewise((scatter, S("weight") > HALF), (limit, True))),
         Assign("information_gained", S("information")),
     ]

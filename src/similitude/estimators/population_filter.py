@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import sympy as sp
 
+from similitude.errors import ProgramError
 from similitude.estimators import filter_covariance as cov
 from similitude.estimators import filter_fields as ff
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
@@ -26,6 +27,15 @@ from similitude.status import STATUS
 LEAST_STEP = sp.Float(1e-6)  # s: below it 1/dt says nothing any more, and overflows in the end
 LONGEST_STEP = sp.Float(1e6)  # s
 LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step finite; 0.05 m/s of a car
+
+
+# Working values of the step whose names do not follow from the model; no unknown may be called so.
+WORKING = frozenset(
+    "above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
+    "inv_output_scale keep keep_w learn learn_slow least_scale lost nis noise noise_change "
+    "output_rate output_scale p pp q qq response seen sensitivity span steer u u_plain unseen "
+    "validity_now validity_square validity_then w_nominal".split()
+)
 
 
 def S(name: str) -> sp.Symbol:
@@ -50,6 +60,14 @@ def population_filter(reduction: Reduction) -> Program:
     """
     layout = Layout(reduction)
     model = reduction.groups.model
+    taken = sorted(WORKING.intersection(layout.unknowns))
+    if taken:
+        raise ProgramError(
+            f"the population filter of {model.name!r} uses {', '.join(taken)} for something else",
+            usually="An unknown has the name of a working value of the filter's step.",
+            paste=f"Unknown('{taken[0]}_group', ...)   # another name for the unknown",
+            read="docs/architecture.md, 'Step programs'",
+        )
     return Program(
         name=f"{model.name}_population",
         title=f"Population filter of the {model.name}",

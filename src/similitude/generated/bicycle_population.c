@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1058 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1051 at most, 5 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 79 reals, configuration 61 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -708,7 +708,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             const bicycle_population_real gain_1 = c_1*inv_spread;
             const bicycle_population_real gain_2 = c_2*inv_spread;
             const bicycle_population_real gain_3 = c_3*learn;
-            const bicycle_population_real gain_4 = c_4*learn_slow;
             const bicycle_population_real gain_5 = c_5*learn_slow;
             const bicycle_population_real gain_6 = c_6*learn_slow;
             const bicycle_population_real gain_8 = c_8*inv_spread;
@@ -749,10 +748,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             P[31] = P[31] - c_7*gain_3;
             P[32] = P[32] - c_3*gain_8;
             P[33] = P[33] - c_3*gain_9;
-            P[34] = P[34] - c_4*gain_4;
-            P[35] = P[35] - c_5*gain_4;
-            P[36] = P[36] - c_6*gain_4;
-            P[37] = P[37] - c_7*gain_4;
+            P[35] = P[35] - c_4*gain_5;
+            P[36] = P[36] - c_4*gain_6;
             P[38] = P[38] - c_4*gain_8;
             P[39] = P[39] - c_4*gain_9;
             P[40] = P[40] - c_5*gain_5;
@@ -773,7 +770,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             r_star = r_star + gain_1*innovation;
             disturbance = disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
-            pi1 = pi1 + gain_4*innovation;
             const bicycle_population_real move_eta = gain_5*innovation;
             const bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);

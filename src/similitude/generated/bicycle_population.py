@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1058
+OPERATIONS = 1051
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -366,11 +366,17 @@ def step(config, state, sample):
     U_now = 0.0
     anew = 0.0
     diffusion = 0.0
+    estimate = 0.0
+    information_gained = 0.0
+    innovation = 0.0
+    innovation_variance = 0.0
     inv_spread = 0.0
     move = 0.0
+    predicted = 0.0
     status = 0.0
     u_now = 0.0
     usable = 0.0
+    variance = 0.0
     status = 0.0
     predicted = output_bias
     innovation = 0.0
@@ -675,7 +681,6 @@ def step(config, state, sample):
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
             gain_3 = c_3*learn
-            gain_4 = c_4*learn_slow
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
             gain_8 = c_8*inv_spread
@@ -716,10 +721,8 @@ def step(config, state, sample):
             P_31 = P_31 - c_7*gain_3
             P_32 = P_32 - c_3*gain_8
             P_33 = P_33 - c_3*gain_9
-            P_34 = P_34 - c_4*gain_4
-            P_35 = P_35 - c_5*gain_4
-            P_36 = P_36 - c_6*gain_4
-            P_37 = P_37 - c_7*gain_4
+            P_35 = P_35 - c_4*gain_5
+            P_36 = P_36 - c_4*gain_6
             P_38 = P_38 - c_4*gain_8
             P_39 = P_39 - c_4*gain_9
             P_40 = P_40 - c_5*gain_5
@@ -740,7 +743,6 @@ def step(config, state, sample):
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
             move = move + gain_3*innovation
-            pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
             above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
             bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)

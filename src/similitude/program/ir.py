@@ -7,12 +7,20 @@ the same order.
 
 from __future__ import annotations
 
+import keyword
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from similitude.errors import ProgramError
+
+
+_C_WORDS = (  # C99, and the arguments of the printed functions
+    "auto break case char const continue default do double else enum extern float for goto if "
+    "inline int long register restrict return short signed sizeof static struct switch typedef "
+    "union unsigned void volatile while config state sample output"
+).split()
 
 
 @dataclass(frozen=True)
@@ -79,6 +87,7 @@ class Program:
     def __post_init__(self) -> None:
         fields = (*self.config, *self.state, *self.sample, *self.output, *self.variables)
         names = [symbol.name for f in fields for symbol in f.symbols]
+        names += [f.name for f in fields if f.size > 1]
         twice = sorted({name for name in names if names.count(name) > 1})
         if twice:
             raise ProgramError(
@@ -88,9 +97,20 @@ class Program:
                 read="docs/architecture.md, 'Step programs'",
             )
         read_only = {symbol.name for f in (*self.config, *self.sample) for symbol in f.symbols}
-        written = {symbol.name for f in (*self.state,) for symbol in f.symbols}
-        _check(self, self.init, known=read_only | set(), writable=set(names) - read_only)
-        _check(self, self.step, known=read_only | written, writable=set(names) - read_only)
+        states = {symbol.name for f in self.state for symbol in f.symbols}
+        outputs = {symbol.name for f in self.output for symbol in f.symbols}
+        _names_or_raise(self, names)
+        writable = set(names) - read_only
+        after_init = _check(self, self.init, known=read_only, writable=writable)
+        after_step = _check(self, self.step, known=read_only | states, writable=writable)
+        missing = (states - after_init) | ((outputs | {"status"}) - after_step)
+        if missing:
+            raise ProgramError(
+                f"program {self.name!r} leaves {', '.join(sorted(missing))} without a value",
+                usually="init must set every state; step every output and `status`, on every way.",
+                paste=f"Assign({sorted(missing)[0]!r}, ...)",
+                read="docs/architecture.md, 'Step programs'",
+            )
 
 
 def _check(
@@ -106,8 +126,27 @@ def _check(
             known |= inside & other & writable
         else:
             _known_or_raise(program, statement.expression, known, f"{statement.target!r}")
+            if statement.target in known and statement.target not in writable:
+                raise ProgramError(
+                    f"program {program.name!r} assigns {statement.target!r} again: it is constant",
+                    usually="A quantity of the model has the name of a working value of the step.",
+                    paste=f"Quantity('{statement.target}_0', ...)   # another name in the model",
+                    read="docs/architecture.md, 'Step programs'",
+                )
             known.add(statement.target)
     return known
+
+
+def _names_or_raise(program: Program, names: Iterable[str]) -> None:
+    taken = {*keyword.kwlist, *_C_WORDS}
+    wrong = sorted({n for n in names if not (n.isascii() and n.isidentifier()) or n in taken})
+    if wrong:
+        raise ProgramError(
+            f"program {program.name!r} cannot declare {', '.join(wrong)}",
+            usually="It is a word of C or Python, or holds a letter that neither allows in a name.",
+            paste=f"Field('{wrong[0]}_0', ...)   # another name",
+            read="docs/architecture.md, 'Step programs'",
+        )
 
 
 def _known_or_raise(program: Program, expression: sp.Basic, known: set[str], where: str) -> None:

@@ -87,7 +87,7 @@ def _step(program: Program) -> str:
     read, written = names_read(program.step), names_written(program.step)
     states = [s.name for f in program.state for s in f.symbols]
     outputs = [s.name for f in program.output for s in f.symbols]
-    working = sorted({f.name for f in program.variables} & written)
+    working = sorted(({f.name for f in program.variables} | set(outputs)) & written)
     return "\n".join(
         [
             "def step(config, state, sample):",
