@@ -101,11 +101,10 @@ class Pass:
         unused = [codes[name] for name in ("no_measurement", "too_slow", "bad_sample")]
         return ~np.isin(self.status, unused)
 
-    @property
-    def cost(self) -> float:
-        """Negative log likelihood of the used innovations [-]."""
-        variance = self.output("innovation_variance")[self.used]
-        innovation = self.output("innovation")[self.used]
+    def cost(self, rows: NDArray[np.bool_]) -> float:
+        """Negative log likelihood of the innovations of ``rows``, (n,) a part of `used` [-]."""
+        variance = self.output("innovation_variance")[rows]
+        innovation = self.output("innovation")[rows]
         return float(0.5 * np.sum(np.log(variance) + innovation**2 / variance))
 
 

@@ -28,7 +28,7 @@ def handling(
     ----------
     unknowns : K [m^2/s^2], pi1, eta, rho [-].
     covariance : (4, 4) of ln K, pi1, ln eta, ln rho.
-    L, U : wheelbase [m] and speed [m/s].
+    L, U : wheelbase [m] and speed [m/s]; at U = 0 or below there are no gains and no yaw mode.
 
     Returns
     -------
@@ -71,7 +71,7 @@ def handling(
         "yaw_rate_gain",
         "1/s",
         f"steady yaw rate per road-wheel steer at {U:.1f} m/s",
-        lambda **p: U / (L + understeer_gradient(**p) * U * U),
+        lambda **p: U / L * _against_neutral(L, U, **p),
     )
     add(
         "sideslip_gain",
@@ -102,16 +102,24 @@ def _special_speed(L: float, sign: int) -> Callable[..., float]:
     return speed
 
 
+def _against_neutral(L: float, U: float, **p: float) -> float:
+    """Steady gain against that of a neutral car; NaN where no steady state is ever reached."""
+    demand = 1 + understeer_gradient(**p) * U * U / L
+    return 1 / demand if demand > 0 and U > 0 else np.nan
+
+
 def _sideslip_gain(L: float, U: float, K: float, pi1: float, eta: float, rho: float) -> float:
     p2 = 1 - pi1
     rear = U * U * p2 / (K * eta)  # rear slip angle per r* at steady state
-    return (p2 - rear) / (1 + understeer_gradient(K, pi1, eta, rho) * U * U / L)
+    return (p2 - rear) * _against_neutral(L, U, K=K, pi1=pi1, eta=eta, rho=rho)
 
 
 def _yaw_mode(
     L: float, U: float, K: float, pi1: float, eta: float, rho: float
 ) -> tuple[float, float]:
     """Natural frequency [Hz] and damping of the characteristic polynomial (paper, eq 19)."""
+    if U <= 0:
+        return np.nan, np.nan
     p2 = 1 - pi1
     pi3 = K / U**2
     pi4, pi5 = pi3 * eta * pi1 / p2, rho * pi1 * p2

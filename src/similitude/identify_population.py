@@ -14,7 +14,7 @@ from similitude.log import Log
 from similitude.noise import SensorNoise, sensor_noise
 from similitude.population import Prior
 from similitude.prediction import predict_ahead
-from similitude.run import Assumed, Estimate, Group, Nuisance, Run, Trace, positive_estimate
+from similitude.run import Z95, Assumed, Estimate, Group, Nuisance, Run, Trace, positive_estimate
 from similitude.status import STATUS
 from similitude.steer_lag import LagScan, find_lag, looks_like_command
 from similitude.vehicle_file import Vehicle
@@ -30,6 +30,8 @@ MEANING = {
 UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
 GRAVITY = 9.80665  # m/s^2
 LINEAR = 0.3 * GRAVITY  # m/s^2
+SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
+AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
 SCALE_STEP = 0.05  # of the steer angle, to see what its scale does to K
 
 
@@ -57,7 +59,11 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
         verdict=code,
         reason=reason,
         K=K,
-        pi3={"value": trace.pi3[-1], "std": trace.pi3_std[-1], "at_speed": trace.U[-1]},
+        pi3={
+            "value": trace.pi3[-1],
+            "std": trace.pi3_std[-1],
+            "at_speed": float(_seen_speed(trace.U[-1], prior)),
+        },
         groups=_groups(done, prior),
         nuisance=_nuisance(done),
         lag=scan,
@@ -82,8 +88,7 @@ def _trace(done: Pass) -> Trace:
     U = _held(log.U)
     K = done.output("estimate")
     std = np.sqrt(done.output("variance"))
-    slowest = np.sqrt(setup.prior.mean[0] / 10)
-    pi3 = K / np.maximum(np.abs(U), slowest) ** 2
+    pi3 = K / _seen_speed(U, setup.prior) ** 2
     predicted = done.output("predicted")
     innovation = np.where(np.isfinite(log.r) & done.used, done.output("innovation"), np.nan)
     return Trace(
@@ -103,6 +108,11 @@ def _trace(done: Pass) -> Trace:
     )
 
 
+def _seen_speed(U: np.ndarray, prior: Prior) -> np.ndarray:
+    """Speed at which pi3 is printed: that of the car, or the least at which it can be seen."""
+    return np.maximum(np.abs(U), np.sqrt(prior.mean[0] / SLOW_PI3))
+
+
 def _held(values: np.ndarray) -> np.ndarray:
     """Missing values replaced by the last one before (or the first one after)."""
     known = np.flatnonzero(np.isfinite(values))
@@ -114,14 +124,6 @@ def _held(values: np.ndarray) -> np.ndarray:
 
 def _evidence(done: Pass, trace: Trace) -> Evidence:
     prior, log = done.setup.prior, done.setup.log
-    library = done.setup.library
-    edges = []
-    for name in NAMES[1:]:
-        low, high = (
-            done.config[library.index("config", f"{name}_{side}")] for side in ("low", "high")
-        )
-        if not low < done.value(name) < high:
-            edges.append(name)
     missing = ~(np.isfinite(log.r) & np.isfinite(log.delta) & np.isfinite(log.U))
     rejected = missing | (trace.status == STATUS["bad_sample"])
     return Evidence(
@@ -133,9 +135,28 @@ def _evidence(done: Pass, trace: Trace) -> Evidence:
         status=trace.status,
         rejected=float(np.mean(rejected)),
         noise_scale=done.value("noise_scale"),
-        at_limit=tuple(edges),
+        at_limit=_at_edge(done),
         finite=bool(np.isfinite(trace.K).all() and np.isfinite(trace.ln_K_std).all()),
     )
+
+
+def _at_edge(done: Pass) -> tuple[str, ...]:
+    """Unknowns that the limits of the population, and not the drive, hold where they are.
+
+    K, which the drive is to find, counts as held when its 95 % interval reaches the limit.
+    """
+    prior, library = done.setup.prior, done.setup.library
+    room = AT_EDGE * prior.std
+    room[0] = Z95 * np.sqrt(done.covariance(["K"])[0, 0])
+    value = np.array([done.value(name) for name in NAMES])
+    limits = (
+        np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
+        for side in ("low", "high")
+    )
+    log = np.array([kind == "log" for kind in prior.kinds])
+    away = [np.where(log, np.abs(np.log(value / limit)), np.abs(value - limit)) for limit in limits]
+    held = np.minimum(*away) <= room
+    return tuple(name for name, here in zip(NAMES, held, strict=True) if here)
 
 
 def _groups(done: Pass, prior: Prior) -> dict[str, Group]:
@@ -204,6 +225,10 @@ def _assumed(
 ) -> dict[str, Assumed]:
     stated = vehicle.yaw_rate_noise is not None
     scale = "the steer looks like a command" if commanded else "a measured road-wheel angle"
+    lag = {
+        "scanned": "scanned: the log speaks for it",
+        "assumed": "assumed: the log does not speak for one",
+    }
     assumed = {
         name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name])
         for i, name in enumerate(NAMES)
@@ -216,7 +241,7 @@ def _assumed(
         "yaw_rate_noise": Assumed(
             noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
         ),
-        "steer_lag": Assumed(scan.chosen, "s", scan.origin),
+        "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
         "steer_scale_std": Assumed(setup.input_scale_sd, "-", scale),
     }
 

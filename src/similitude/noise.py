@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 FLOOR = np.deg2rad(0.05)  # rad/s; no automotive gyro with its mounting is quieter
 SECOND_DIFFERENCE = np.sqrt(6.0)  # sd of white noise is multiplied by this
 MAD_TO_STD = 1.4826
+CHANCE = 0.5 / np.sqrt(np.pi)  # two white readings round alike: this times step over sd
+CHANCE_ROOM = 1.3  # the law of CHANCE holds for steps below the sd, and is near enough above
+HELD_SHARE = 0.5  # a bus at half the log's rate or less repeats at least this much
 
 
 @dataclass(frozen=True)
@@ -29,6 +32,7 @@ def sensor_noise(values: NDArray[np.float64]) -> SensorNoise:
 
     The median absolute second difference of the fresh samples is insensitive to manoeuvres; the
     sd is divided by the root of the fresh share so that averaging repeats creates no information.
+    Repeats that a coarse gyro gives by chance are readings of their own.
 
     Parameters
     ----------
@@ -39,10 +43,16 @@ def sensor_noise(values: NDArray[np.float64]) -> SensorNoise:
         return SensorNoise(FLOOR, 1.0, 0.0)
     changed = np.diff(finite) != 0
     fresh = float(max(np.mean(changed), 1.0 / finite.size))
-    readings = finite[1:][changed] if fresh < 0.95 else finite
-    second = np.abs(np.diff(readings, 2))
-    white = MAD_TO_STD * float(np.median(second)) / SECOND_DIFFERENCE if second.size else 0.0
     steps = np.abs(np.diff(finite))[changed]
     step = float(np.quantile(steps, 0.01)) if steps.size else 0.0
+    white = _white(finite[1:][changed] if fresh < 0.95 else finite)
+    if 1 - fresh < min(CHANCE_ROOM * CHANCE * step / max(white, FLOOR), HELD_SHARE):
+        fresh, white = 1.0, _white(finite)
     quantisation = step / np.sqrt(12.0)
-    return SensorNoise(max(white, quantisation, FLOOR) / np.sqrt(fresh), fresh, step)
+    return SensorNoise(float(max(white, quantisation, FLOOR) / np.sqrt(fresh)), fresh, step)
+
+
+def _white(readings: NDArray[np.float64]) -> float:
+    """Sd of the white part of a signal whose every sample is a new reading."""
+    second = np.abs(np.diff(readings, 2))
+    return MAD_TO_STD * float(np.median(second)) / SECOND_DIFFERENCE if second.size else 0.0

@@ -43,6 +43,8 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     Returns
     -------
     LagScan            cost in units of independent samples; empty where nothing was scanned.
+                       ``origin`` is "vehicle file", "scanned", or "assumed" (the log does not
+                       speak for a lag, and none is taken).
     """
     empty = np.empty(0)
     if vehicle.steer_lag is not None:
@@ -50,12 +52,14 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
     passes = [setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags]
     alone = max(1.0, DEPENDENT / float(np.median(setup.dt)))
-    cost = np.array([p.cost for p in passes]) / alone
+    # A missing steer cell costs one row without a lag and two with one: judge all on the same rows.
+    shared = np.logical_and.reduce([p.used for p in passes])
+    cost = np.array([p.cost(shared) for p in passes]) / alone
     cost -= cost.min()
     best = int(np.argmin(cost))
     if cost[0] < CONVINCING:
-        return LagScan(lags, cost, 0.0, "assumed; the log shows none")
-    return LagScan(lags, cost, _vertex(lags, cost, best), "found in the log")
+        return LagScan(lags, cost, 0.0, "assumed")
+    return LagScan(lags, cost, _vertex(lags, cost, best), "scanned")
 
 
 def _vertex(lags: NDArray[np.float64], cost: NDArray[np.float64], best: int) -> float:

@@ -16,6 +16,7 @@ import numpy as np
 
 from similitude.errors import UsageError
 from similitude.population import Prior
+from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
 NAMES = ("K", "pi1", "eta", "rho")
@@ -65,19 +66,24 @@ def vehicle_prior(vehicle: Vehicle) -> Prior:
         prior = prior.known("pi1", vehicle.a.value / L, std, "a / L of the vehicle file")
     if vehicle.m and vehicle.a and vehicle.b and vehicle.Iz:
         rho = vehicle.Iz.value / (vehicle.m.value * vehicle.a.value * vehicle.b.value)
-        std = vehicle.Iz.sd / vehicle.Iz.value if vehicle.Iz.sd else FILE_SD
+        std = math.hypot(_stated(vehicle.Iz, FILE_SD), _stated(vehicle.m, 0.0))
         prior = prior.observe("rho", rho, std, "population and Iz/(m a b) of the vehicle file")
     if vehicle.Caf and vehicle.m:
         K = vehicle.Caf.value * L / vehicle.m.value
-        own = vehicle.Caf.sd / vehicle.Caf.value if vehicle.Caf.sd else FILE_SD
+        own = math.hypot(_stated(vehicle.Caf, FILE_SD), _stated(vehicle.m, 0.0))
         std = math.hypot(own, ROAD_SD)
         prior = prior.observe("K", K, std, "population and Caf L/m of the vehicle file")
     if vehicle.Caf and vehicle.Car and vehicle.a and vehicle.b:
         eta = vehicle.Car.value * vehicle.b.value / (vehicle.Caf.value * vehicle.a.value)
-        prior = prior.observe(
-            "eta", eta, FILE_SD, "population and Car b/(Caf a) of the vehicle file"
-        )
+        axle = FILE_SD / math.sqrt(2)  # two axles make the FILE_SD of their ratio
+        std = math.hypot(_stated(vehicle.Caf, axle), _stated(vehicle.Car, axle))
+        prior = prior.observe("eta", eta, std, "population and Car b/(Caf a) of the vehicle file")
     return prior
+
+
+def _stated(given: Uncertain, otherwise: float) -> float:
+    """Relative sd of a value of the vehicle file, or ``otherwise`` where none was stated."""
+    return given.sd / given.value if given.sd else otherwise
 
 
 def _population(vehicle: Vehicle) -> Prior:

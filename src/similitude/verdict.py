@@ -48,10 +48,10 @@ class Evidence:
 
 def verdict(e: Evidence) -> tuple[str, str]:
     """Code and reason; the first that applies in the order of severity."""
-    sd = f"{100 * e.ln_K_std:.0f} %"
+    sd = f"{100 * e.ln_K_std:.3g} %"
     if e.rejected > REJECTED_SHARE:
         return "bad_data", (
-            f"{100 * e.rejected:.0f} % of the samples had no usable value, more than 20 %; "
+            f"{100 * e.rejected:.3g} % of the samples had no usable value, more than 20 %; "
             "mend the recording first."
         )
     if not e.finite:
@@ -62,12 +62,12 @@ def verdict(e: Evidence) -> tuple[str, str]:
     share = _outside_share(e)
     if share > OUTSIDE_SHARE:
         return "outside_model", (
-            f"{100 * share:.0f} % of what was learnt came from beyond 0.3 g, where tyres are no longer "
+            f"{100 * share:.3g} % of what was learnt came from beyond 0.3 g, where tyres are no longer "
             f"linear; K = value ± {sd} is an average slope, not the stiffness at small slip."
         )
     if e.noise_scale > CONTRADICTION:
         return "outside_model", (
-            f"The yaw rate differs from every car of the population by {np.sqrt(e.noise_scale):.0f} times "
+            f"The yaw rate differs from every car of the population by {np.sqrt(e.noise_scale):.3g} times "
             "the sensor's noise; steer scale, units or a saturating tyre are the usual causes."
         )
     if e.at_limit or not -POPULATION_SD * e.prior_std - ROAD_ROOM < e.ln_K_away < (
@@ -85,7 +85,7 @@ def verdict(e: Evidence) -> tuple[str, str]:
 def _not_excited(e: Evidence, sd: str, slow: float) -> str:
     if slow > 0.5:
         return (
-            f"The vehicle was too slow for its tyres to show in {100 * slow:.0f} % of the log; K is known to "
+            f"The vehicle was too slow for its tyres to show in {100 * slow:.3g} % of the log; K is known to "
             f"± {sd}, hardly better than the population's ± {100 * e.prior_std:.0f} %."
         )
     return (

@@ -79,10 +79,9 @@ def drawn_prior():
 
 @dataclass(frozen=True)
 class Score:
-    """Over cars: rms of ln K in the last 20 s before and after the step, coverage, delays."""
+    """Over cars: rms of ln K over the last 20 s before and after the step, coverage, delays."""
 
-    rms_before: float
-    rms_after: float
+    rms: float  # median over cars, both windows together
     coverage: float  # share of all car-seconds after 10 s
     coverage_median: float  # median over cars
     half_way: float  # s, median
@@ -117,22 +116,19 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
         rows.append(_car(cars.t, error, np.sqrt(done.output("variance")), step, prior.std[0]))
     columns = np.array(rows, dtype=float).T
     return Score(
-        *np.median(columns[:2], axis=1),
-        float(np.mean(columns[2])),
-        float(np.median(columns[2])),
-        *np.median(columns[3:5], axis=1),
-        float(np.mean(columns[5])),
-        int(np.sum(columns[5] * (np.abs(columns[6]) > 0.3))),
+        float(np.median(columns[0])),
+        float(np.mean(columns[1])),
+        float(np.median(columns[1])),
+        *np.median(columns[2:4], axis=1),
+        float(np.mean(columns[4])),
+        int(np.sum(columns[4] * (np.abs(columns[5]) > 0.3))),
     )
 
 
 def _car(t, error, sd, step, prior_sd):
     after, end = t >= step, t[-1]
-    rms = [
-        np.sqrt(np.mean(np.square(error[w])))
-        for w in ((t >= step - 20) & ~after, t > end - 20)
-        if w.any()
-    ]
+    windows = ((t >= step - 20) & ~after) | (t > end - 20)
+    rms = np.sqrt(np.mean(np.square(error[windows])))
     covered = np.mean((np.abs(error) < 1.96 * sd)[t > 10])
     late = error[after]  # ln of estimate over the halved truth: half-way is ln(0.75/0.5)
     hit = np.flatnonzero(late < np.log(1.5))
@@ -140,7 +136,7 @@ def _car(t, error, sd, step, prior_sd):
     dt = t[1] - t[0]
     identified = sd[-1] <= 0.15 and sd[-1] <= prior_sd / 2
     return [
-        *rms,
+        rms,
         covered,
         hit[0] * dt if hit.size else np.inf,
         (off[-1] + 1) * dt if off.size else 0.0,

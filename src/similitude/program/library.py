@@ -10,7 +10,7 @@ import ctypes
 import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from types import ModuleType
 
@@ -107,8 +107,13 @@ class Library:
         Returns
         -------
         outputs, status : (n, output fields) and (n,).
+
+        Raises
+        ------
+        ProgramError    an array has not the size of its struct, or is not contiguous float64.
         """
         samples = np.ascontiguousarray(samples, dtype=np.float64)
+        self._check(config=config, state=state, sample=samples)
         n = len(samples)
         outputs = np.empty((n, len(self.layout.OUTPUT)))
         status = np.empty(n, dtype=np.int32)
@@ -123,6 +128,25 @@ class Library:
         )
         return outputs, status
 
+    def _check(self, **structs: NDArray[np.float64]) -> None:
+        """Refuse arrays the C would read or write beyond their end."""
+        for struct, array in structs.items():
+            size = self._sizes[struct]
+            plain = array.dtype == np.float64 and array.flags.c_contiguous
+            if not plain or array.shape[array.ndim - 1 :] != (size,):
+                raise ProgramError(
+                    f"{self.name}: {struct} has shape {array.shape} and type {array.dtype}; "
+                    f"contiguous float64 with {size} reals is needed",
+                    usually="An array of another estimator, or a slice of a larger one, was given.",
+                    paste=f"library.names({struct!r})",
+                    read='docs/architecture.md, "Step programs"',
+                )
+
+    @cached_property
+    def _sizes(self) -> dict[str, int]:
+        structs = ("config", "state", "sample")
+        return {struct: len(self.names(struct)) for struct in structs}
+
 
 def _pointer(array: NDArray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
@@ -134,7 +158,8 @@ def assemble(layout: ModuleType, source: str) -> Library:
     try:
         c = load_library(source, name=name)
     except CompileError as error:
-        return Library(name, layout, None, f"about a thousand times slower: {error.what}")
+        reason = error.what.splitlines()[0]
+        return Library(name, layout, None, f"about a thousand times slower: {reason}")
     getattr(c, f"{name}_init").argtypes = [ctypes.c_void_p] * 2
     batch = getattr(c, f"{name}_batch")
     batch.argtypes = [ctypes.c_void_p] * 2 + [ctypes.c_long] + [ctypes.c_void_p] * 3

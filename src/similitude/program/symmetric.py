@@ -91,7 +91,7 @@ def predict(
                 full = sp.Add(
                     *(FP[i, k] * e for k, e in rows[j].items()), shared.entries[j] * together
                 )
-                lines.append(Assign(P.target(i, j), full + noise.get(i, 0) * (i == j)))
+                lines.append(Assign(P.target(i, j), full + (noise.get(i, 0) if i == j else 0)))
     for i in range(P.n):
         for j in range(i, P.n):
             if i in rows or j in rows:
