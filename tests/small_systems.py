@@ -138,7 +138,7 @@ def heater() -> Case:
         outputs=(Quantity("T", "K", "temperature above ambient"),),
         parameters=(
             Quantity("C", "J/K", "heat capacity"),
-            Quantity("span", "K", "a temperature to measure by"),
+            Quantity("warm", "K", "a temperature to measure by"),
             Quantity("tau", "s", "a time to measure by"),
             Quantity("k", "W/K", "conductance"),
         ),
@@ -146,9 +146,9 @@ def heater() -> Case:
         output_map={"T": T},
     )
     unknown = Unknown("loss", "-", "log", "identify", "k tau/C")
-    groups = reparameterize(model, base=("C", "span", "tau"))
+    groups = reparameterize(model, base=("C", "warm", "tau"))
     reduction = Reduction(groups, (unknown,), {"pi1": unknown.symbol}, sp.true)
-    truth = {"C": 500.0, "span": 10.0, "tau": 60.0, "k": 6.5}
+    truth = {"C": 500.0, "warm": 10.0, "tau": 60.0, "k": 6.5}
     prior = {"loss": (1.0, 0.5)}
     return Case(reduction, truth, prior=prior, force=50.0, noise=0.05, step=1.0, pace=(0.0005, 0.005))
 

@@ -68,9 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 @app.command()
 def identify(
-    logs: Annotated[
-        list[Path], typer.Argument(metavar="LOG...", help="Driving logs, CSV or Parquet.")
-    ],
+    logs: Annotated[list[Path], typer.Argument(metavar="LOG...", help="Driving logs, CSV or Parquet.")],
     vehicle: Annotated[
         Path | None,
         typer.Option(metavar="FILE.toml", help="Vehicle file; start one with `vehicle --new`."),

@@ -14,9 +14,7 @@ from similitude.program.library import Library
 
 GRAVITY = 9.80665  # m/s^2
 MEASURED_STEER_SD = 0.02  # scale of a measured road-wheel angle, and of the wheelbase
-COMMANDED_STEER_SD = (
-    0.20  # a command, not a measurement: play, compliance and servo gain in between
-)
+COMMANDED_STEER_SD = 0.20  # a command, not a measurement: play, compliance and servo gain in between
 
 DESIGN = {
     "input_offset_sd": 0.02,  # rad: alignment and centring
@@ -34,7 +32,7 @@ DESIGN = {
     "activity_rate": 1 / 0.3,  # 1/s
     "disturbance_floor": 1e-3,  # rad: crosswind and camber
     "disturbance_share": 0.02,  # of the response
-    "disturbance_rate": 1 / 0.7,  # 1/s: a gust, a crown, a rut
+    "disturbance_rate": 1 / 1.2,  # 1/s: a gust, a crown, a rut
     "disturbance_adapt": 1 / 5.0,  # 1/s
     "disturbance_scale_start": 0.02,  # small until innovations ask for more: it grows in a second
     "disturbance_scale_low": 0.002,
@@ -42,9 +40,10 @@ DESIGN = {
     "noise_adapt": 1 / 20.0,  # 1/s
     "noise_scale_low": 0.01,  # noise stated ten times too large or too small is put right
     "noise_scale_high": 100.0,
-    "excitation_ratio": 0.05,  # a sensitivity of a fifth of the noise, about 0.5 mrad of steer
+    "excitation_ratio": 0.045,  # a sensitivity of a fifth of the noise, about 0.4 mrad of steer
     "excitation_rate": 1 / 5.0,  # 1/s
     "surprise_rate": 1 / 0.5,  # 1/s
+    "jump_ratio": 8.0,  # a car that is always restless must surprise more
     "surprise_limit": 1.5,  # the mean of 50 squared innovations is 1 with sd sqrt(2/50) = 0.2
     "observed_least": 0.1,
     "outlier_ratio": 16.0,  # four sd

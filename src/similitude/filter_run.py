@@ -16,6 +16,8 @@ from similitude.log import Log
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
 
+BRIDGED = 0.1  # s: hands on a wheel do little in between
+
 
 @dataclass(frozen=True, eq=False)
 class Setup:
@@ -37,10 +39,19 @@ class Setup:
 
     def samples(self) -> NDArray[np.float64]:
         """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
-        steer = self.log.delta
-        if self.lag > 0:
-            steer = np.interp(self.log.t - self.lag, self.log.t, steer)
-        return np.column_stack([self.dt, steer, self.log.U, self.log.r])
+        return np.column_stack([self.dt, self._acting_steer(), self.log.U, self.log.r])
+
+    def _acting_steer(self) -> NDArray[np.float64]:
+        """Steer of a lag ago, (n,) [rad]; a short hole is bridged, a long one stays missing."""
+        t, steer = self.log.t, self.log.delta
+        known = np.flatnonzero(np.isfinite(steer))
+        if self.lag <= 0 or known.size < 2:
+            return steer
+        there = t[known]
+        acting = np.interp(t - self.lag, there, steer[known])
+        after = np.clip(np.searchsorted(there, t - self.lag), 1, known.size - 1)
+        hole = (there[after] - there[after - 1]) > max(BRIDGED, 3 * float(np.median(self.dt)))
+        return np.where(hole, np.nan, acting)
 
     def config(self, **changes: float) -> NDArray[np.float64]:
         """The filter's configuration; ``changes`` replaces design constants by name."""

@@ -81,10 +81,7 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     Brennan & Alleyne 2004, eqs 17-20.
     """
     columns = [model.quantity(name).dimension for name in base]
-    scale = {
-        q.name: _monomial(_solve(model, base, columns, q.name, q.dimension))
-        for q in model.quantities
-    }
+    scale = {q.name: _monomial(_solve(model, base, columns, q.name, q.dimension)) for q in model.quantities}
     time = _monomial(_solve(model, base, columns, "time", parse_unit("s").dimension))
     free = [q for q in model.parameters if q.name not in base]
     groups = tuple(_group(model, base, columns, q, i + 1) for i, q in enumerate(free))
@@ -131,9 +128,7 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     )
 
 
-def _group(
-    model: Model, base: Sequence[str], columns: list[Dimension], q: Quantity, number: int
-) -> Group:
+def _group(model: Model, base: Sequence[str], columns: list[Dimension], q: Quantity, number: int) -> Group:
     powers = _solve(model, base, columns, q.name, q.dimension)
     exponents = {q.name: Fraction(1)} | {name: -p for name, p in powers.items() if p}
     return Group(f"pi{number}", q.name, exponents)
@@ -141,10 +136,7 @@ def _group(
 
 def _monomial(powers: Mapping[str, Fraction]) -> sp.Expr:
     return sp.Mul(
-        *(
-            sp.Symbol(n, real=True) ** sp.Rational(p.numerator, p.denominator)
-            for n, p in powers.items()
-        )
+        *(sp.Symbol(n, real=True) ** sp.Rational(p.numerator, p.denominator) for n, p in powers.items())
     )
 
 
@@ -157,9 +149,7 @@ def _solve(
         [[sp.Rational(*_pair(d.exponents.get(r, Fraction(0)))) for d in columns] for r in rows]
         or [[sp.Integer(0)] * len(columns)]
     )
-    right = sp.Matrix(
-        [sp.Rational(*_pair(wanted.exponents.get(r, Fraction(0)))) for r in rows] or [0]
-    )
+    right = sp.Matrix([sp.Rational(*_pair(wanted.exponents.get(r, Fraction(0)))) for r in rows] or [0])
     try:
         solution, parameters = matrix.gauss_jordan_solve(right)
     except ValueError:

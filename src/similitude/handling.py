@@ -14,9 +14,12 @@ GRAVITY = 9.80665  # m/s^2
 Z95 = 1.96
 
 
-def understeer_gradient(K: float, pi1: float, eta: float, rho: float) -> float:
-    """Steer angle per lateral acceleration beyond L/R, rad per m/s^2: (1 - pi1)(1 - 1/eta)/K."""
-    return (1 - pi1) * (1 - 1 / eta) / K
+def understeer_gradient(L: float, K: float, pi1: float, eta: float, rho: float) -> float:
+    """Steer angle per lateral acceleration beyond L/R, rad per m/s^2: L (1 - pi1)(1 - 1/eta)/K.
+
+    With the axles' stiffness that is (m/L)(b/Caf - a/Car).
+    """
+    return L * (1 - pi1) * (1 - 1 / eta) / K
 
 
 def handling(
@@ -35,8 +38,7 @@ def handling(
     dict    name -> value, std, lo, hi, unit, meaning; numbers that do not exist are left out.
     """
     result = {}
-
-    def add(name: str, unit: str, meaning: str, f: Callable[..., float]) -> None:
+    for name, unit, meaning, f in _numbers(L, U, understeer_gradient(L, **unknowns)):
         value, std = _propagate(f, unknowns, covariance)
         if np.isfinite(value) and np.isfinite(std):
             result[name] = {
@@ -47,56 +49,56 @@ def handling(
                 "unit": unit,
                 "meaning": meaning,
             }
-
-    per_g = GRAVITY * 180 / np.pi
-    add(
-        "understeer_gradient",
-        "deg/g",
-        "road-wheel steer per lateral acceleration beyond L/R",
-        lambda **p: per_g * understeer_gradient(**p),
-    )
-    gradient = understeer_gradient(**unknowns)
-    if gradient > 0:
-        add(
-            "characteristic_speed",
-            "m/s",
-            "speed of the highest yaw-rate gain",
-            _special_speed(L, 1),
-        )
-    elif gradient < 0:
-        add(
-            "critical_speed", "m/s", "speed beyond which the car is unstable", _special_speed(L, -1)
-        )
-    add(
-        "yaw_rate_gain",
-        "1/s",
-        f"steady yaw rate per road-wheel steer at {U:.1f} m/s",
-        lambda **p: U / L * _against_neutral(L, U, **p),
-    )
-    add(
-        "sideslip_gain",
-        "-",
-        f"steady sideslip per road-wheel steer at {U:.1f} m/s",
-        lambda **p: _sideslip_gain(L, U, **p),
-    )
-    add(
-        "yaw_frequency",
-        "Hz",
-        f"natural frequency of the yaw mode at {U:.1f} m/s",
-        lambda **p: _yaw_mode(L, U, **p)[0],
-    )
-    add(
-        "yaw_damping",
-        "-",
-        f"damping ratio of the yaw mode at {U:.1f} m/s",
-        lambda **p: _yaw_mode(L, U, **p)[1],
-    )
     return result
 
 
-def _special_speed(L: float, sign: int) -> Callable[..., float]:
+def _numbers(L: float, U: float, gradient: float) -> list[tuple[str, str, str, Callable[..., float]]]:
+    """Name, unit, meaning and function of the unknowns, of each number this car can have."""
+    per_g = GRAVITY * 180 / np.pi
+    steer = "road-wheel steer"
+    special = {
+        1.0: ("characteristic_speed", "m/s", "speed of the highest yaw-rate gain"),
+        -1.0: ("critical_speed", "m/s", "speed beyond which the car is unstable"),
+    }
+    sign = float(np.sign(gradient))
+    return [
+        (
+            "understeer_gradient",
+            "deg/g",
+            f"{steer} per lateral acceleration beyond L/R",
+            lambda **p: per_g * understeer_gradient(L, **p),
+        ),
+        *([(*special[sign], _special_speed(L, sign))] if sign else []),
+        (
+            "yaw_rate_gain",
+            "1/s",
+            f"steady yaw rate per {steer} at {U:.1f} m/s",
+            lambda **p: U / L * _against_neutral(L, U, **p),
+        ),
+        (
+            "sideslip_gain",
+            "-",
+            f"steady sideslip per {steer} at {U:.1f} m/s",
+            lambda **p: _sideslip_gain(L, U, **p),
+        ),
+        (
+            "yaw_frequency",
+            "Hz",
+            f"natural frequency of the yaw mode at {U:.1f} m/s",
+            lambda **p: _yaw_mode(L, U, **p)[0],
+        ),
+        (
+            "yaw_damping",
+            "-",
+            f"damping ratio of the yaw mode at {U:.1f} m/s",
+            lambda **p: _yaw_mode(L, U, **p)[1],
+        ),
+    ]
+
+
+def _special_speed(L: float, sign: float) -> Callable[..., float]:
     def speed(**p: float) -> float:
-        inside = sign * L / understeer_gradient(**p)
+        inside = sign * L / understeer_gradient(L, **p)
         return float(np.sqrt(inside)) if inside > 0 else np.nan
 
     return speed
@@ -104,7 +106,7 @@ def _special_speed(L: float, sign: int) -> Callable[..., float]:
 
 def _against_neutral(L: float, U: float, **p: float) -> float:
     """Steady gain against that of a neutral car; NaN where no steady state is ever reached."""
-    demand = 1 + understeer_gradient(**p) * U * U / L
+    demand = 1 + understeer_gradient(L, **p) * U * U / L
     return 1 / demand if demand > 0 and U > 0 else np.nan
 
 
@@ -114,9 +116,7 @@ def _sideslip_gain(L: float, U: float, K: float, pi1: float, eta: float, rho: fl
     return (p2 - rear) * _against_neutral(L, U, K=K, pi1=pi1, eta=eta, rho=rho)
 
 
-def _yaw_mode(
-    L: float, U: float, K: float, pi1: float, eta: float, rho: float
-) -> tuple[float, float]:
+def _yaw_mode(L: float, U: float, K: float, pi1: float, eta: float, rho: float) -> tuple[float, float]:
     """Natural frequency [Hz] and damping of the characteristic polynomial (paper, eq 19)."""
     if U <= 0:
         return np.nan, np.nan
@@ -142,9 +142,7 @@ def _propagate(
         sides = []
         for sign in (1, -1):
             moved = dict(unknowns)
-            moved[name] = (
-                moved[name] + sign * step if name == "pi1" else moved[name] * np.exp(sign * step)
-            )
+            moved[name] = moved[name] + sign * step if name == "pi1" else moved[name] * np.exp(sign * step)
             sides.append(float(f(**moved)))
         slope[i] = (sides[0] - sides[1]) / (2 * step)
     return value, float(np.sqrt(max(slope @ covariance @ slope, 0.0)))

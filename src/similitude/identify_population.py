@@ -11,15 +11,24 @@ from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
 from similitude.filter_run import Pass, Setup, population_setup
 from similitude.handling import handling
 from similitude.log import Log
-from similitude.noise import SensorNoise, sensor_noise
+from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
 from similitude.prediction import predict_ahead
-from similitude.run import Z95, Assumed, Estimate, Group, Nuisance, Run, Trace, positive_estimate
-from similitude.status import STATUS
+from similitude.run import (
+    Z95,
+    Assumed,
+    Group,
+    Nuisance,
+    Run,
+    Trace,
+    axle_stiffness,
+    held,
+    positive_estimate,
+)
 from similitude.steer_lag import LagScan, find_lag, looks_like_command
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES, vehicle_prior
-from similitude.verdict import Evidence, verdict
+from similitude.verdict import evidence, verdict
 
 MEANING = {
     "K": "Caf L/m, front cornering stiffness per mass and length",
@@ -28,8 +37,6 @@ MEANING = {
     "rho": "Iz/(m a b), yaw inertia ratio",
 }
 UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
-GRAVITY = 9.80665  # m/s^2
-LINEAR = 0.3 * GRAVITY  # m/s^2
 SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
 AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
 SCALE_STEP = 0.05  # of the steer angle, to see what its scale does to K
@@ -38,7 +45,7 @@ SCALE_STEP = 0.05  # of the steer angle, to see what its scale does to K
 def identify_population(log: Log, vehicle: Vehicle) -> Run:
     """Run the population filter over a log; see `similitude.run.identify`."""
     prior = vehicle_prior(vehicle)
-    noise = _noise(log, vehicle)
+    noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
     setup = population_setup(
         log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
     )
@@ -47,7 +54,9 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
     done = setup.run()
     trace = _trace(done)
-    code, reason = verdict(_evidence(done, trace))
+    code, reason = verdict(
+        evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
+    )
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
     unknowns = {name: done.value(name) for name in NAMES}
     speed = float(np.median(trace.U[done.used])) if done.used.any() else float(trace.U[-1])
@@ -71,21 +80,15 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
         handling=handling(unknowns, done.covariance(list(NAMES)), L=setup.L, U=speed),
         warnings=(*log.warnings, *_warnings(setup, done, scan, commanded)),
         assumed=_assumed(setup, vehicle, prior, noise, scan, commanded),
-        Caf=_axle_stiffness(vehicle, K),
+        Caf=axle_stiffness(vehicle, K),
     )
-
-
-def _noise(log: Log, vehicle: Vehicle) -> SensorNoise:
-    if vehicle.yaw_rate_noise is not None:
-        return SensorNoise(vehicle.yaw_rate_noise.value, 1.0, 0.0)
-    return sensor_noise(log.r)
 
 
 def _trace(done: Pass) -> Trace:
     """Rows of the log; a missing speed is that of the row before."""
     setup = done.setup
     log = setup.log
-    U = _held(log.U)
+    U = held(log.U)
     K = done.output("estimate")
     std = np.sqrt(done.output("variance"))
     pi3 = K / _seen_speed(U, setup.prior) ** 2
@@ -113,34 +116,7 @@ def _seen_speed(U: np.ndarray, prior: Prior) -> np.ndarray:
     return np.maximum(np.abs(U), np.sqrt(prior.mean[0] / SLOW_PI3))
 
 
-def _held(values: np.ndarray) -> np.ndarray:
-    """Missing values replaced by the last one before (or the first one after)."""
-    known = np.flatnonzero(np.isfinite(values))
-    if not known.size:
-        return np.zeros_like(values)
-    at = np.maximum(np.searchsorted(known, np.arange(len(values)), side="right") - 1, 0)
-    return values[known[at]]
-
-
-def _evidence(done: Pass, trace: Trace) -> Evidence:
-    prior, log = done.setup.prior, done.setup.log
-    missing = ~(np.isfinite(log.r) & np.isfinite(log.delta) & np.isfinite(log.U))
-    rejected = missing | (trace.status == STATUS["bad_sample"])
-    return Evidence(
-        ln_K_std=trace.ln_K_std[-1],
-        prior_std=prior.std[0],
-        ln_K_away=float(np.log(trace.K[-1] / prior.mean[0])),
-        information=trace.information,
-        outside=np.abs(trace.ay_kinematic) > LINEAR,
-        status=trace.status,
-        rejected=float(np.mean(rejected)),
-        noise_scale=done.value("noise_scale"),
-        at_limit=_at_edge(done),
-        finite=bool(np.isfinite(trace.K).all() and np.isfinite(trace.ln_K_std).all()),
-    )
-
-
-def _at_edge(done: Pass) -> tuple[str, ...]:
+def _edges(done: Pass) -> tuple[str, ...]:
     """Unknowns that the limits of the population, and not the drive, hold where they are.
 
     K, which the drive is to find, counts as held when its 95 % interval reaches the limit.
@@ -149,14 +125,13 @@ def _at_edge(done: Pass) -> tuple[str, ...]:
     room = AT_EDGE * prior.std
     room[0] = Z95 * np.sqrt(done.covariance(["K"])[0, 0])
     value = np.array([done.value(name) for name in NAMES])
-    limits = (
-        np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
-        for side in ("low", "high")
-    )
     log = np.array([kind == "log" for kind in prior.kinds])
-    away = [np.where(log, np.abs(np.log(value / limit)), np.abs(value - limit)) for limit in limits]
-    held = np.minimum(*away) <= room
-    return tuple(name for name, here in zip(NAMES, held, strict=True) if here)
+    held_there = np.zeros(len(NAMES), bool)
+    for side in ("low", "high"):
+        limit = np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
+        away = np.where(log, np.abs(np.log(value / limit)), np.abs(value - limit))
+        held_there |= away <= room
+    return tuple(name for name, here in zip(NAMES, held_there, strict=True) if here)
 
 
 def _groups(done: Pass, prior: Prior) -> dict[str, Group]:
@@ -202,9 +177,7 @@ def _warnings(setup: Setup, done: Pass, scan: LagScan, commanded: bool) -> list[
             f"K would read {100 * slope:+.0f} %"
         )
     if setup.log.rate < 20:
-        lines.append(
-            f"{setup.log.rate:.1f} samples a second are few for yaw dynamics; 50 or more are better"
-        )
+        lines.append(f"{setup.log.rate:.1f} samples a second are few for yaw dynamics; 50 or more are better")
     return lines
 
 
@@ -230,27 +203,12 @@ def _assumed(
         "assumed": "assumed: the log does not speak for one",
     }
     assumed = {
-        name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name])
-        for i, name in enumerate(NAMES)
+        name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name]) for i, name in enumerate(NAMES)
     }
     return assumed | {
-        "population": Assumed(
-            vehicle.population, "-", vehicle.origins.get("population", "default")
-        ),
+        "population": Assumed(vehicle.population, "-", vehicle.origins.get("population", "default")),
         "L": Assumed(setup.L, "m", vehicle.origins.get("L", "vehicle file")),
-        "yaw_rate_noise": Assumed(
-            noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
-        ),
+        "yaw_rate_noise": Assumed(noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"),
         "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
         "steer_scale_std": Assumed(setup.input_scale_sd, "-", scale),
     }
-
-
-def _axle_stiffness(vehicle: Vehicle, K: Estimate) -> Estimate | None:
-    """Caf = K m/L where the mass is known; its own sd counts."""
-    if vehicle.m is None or vehicle.L is None:
-        return None
-    own = (vehicle.m.sd or 0.0) / vehicle.m.value
-    return positive_estimate(
-        K.value * vehicle.m.value / vehicle.L.value, float(np.hypot(K.std / K.value, own)), "N/rad"
-    )

@@ -104,8 +104,7 @@ def read_log(
     columns = choose_columns(table.headers, file=path.name, mapping=mapping)
     loaded = table.load([column.position for column in columns.values()])
     values = {
-        name: _in_si(raw, column)
-        for (name, column), raw in zip(columns.items(), loaded.columns, strict=True)
+        name: _in_si(raw, column) for (name, column), raw in zip(columns.items(), loaded.columns, strict=True)
     }
     warnings = [*table.warnings, *loaded.warnings]
     time = columns["t"]

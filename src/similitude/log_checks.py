@@ -49,8 +49,7 @@ def check_time(t: np.ndarray, *, header: str, factor: float, file: str) -> tuple
     missing = np.flatnonzero(~np.isfinite(t))
     if missing.size:
         raise _refused(
-            f"{column} has no value in data row {missing[0] + 1}, and in {missing.size} of "
-            f"{t.size} rows",
+            f"{column} has no value in data row {missing[0] + 1}, and in {missing.size} of {t.size} rows",
             "time stands in another column, or empty rows were written; drop them.",
             '--map "t=COLUMN"' if missing.size == t.size else f"{(t.size // 2) * 0.01:.2f}",
         )
@@ -109,11 +108,8 @@ def _refuse_pace(usual: float, header: str, column: str) -> None:
     if not 2e-5 <= usual <= 1.0:
         slow = usual > 1.0
         raise _refused(
-            f"{column}: the usual step is {usual:.3g} s, too {'slow' if slow else 'fast'} for a "
-            "driving log",
-            "the log was thinned out; 20 rows a second are enough."
-            if slow
-            else "these values look like s.",
+            f"{column}: the usual step is {usual:.3g} s, too {'slow' if slow else 'fast'} for a driving log",
+            "the log was thinned out; 20 rows a second are enough." if slow else "these values look like s.",
             f"{name} [s]",
         )
 

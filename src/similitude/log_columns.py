@@ -32,9 +32,7 @@ class Column:
     mapped: bool
 
 
-def choose_columns(
-    headers: Sequence[str], *, file: str, mapping: Mapping[str, str]
-) -> dict[str, Column]:
+def choose_columns(headers: Sequence[str], *, file: str, mapping: Mapping[str, str]) -> dict[str, Column]:
     """Find the column of each quantity.
 
     Parameters
@@ -91,16 +89,12 @@ def _quantity(key: str) -> str:
     )
 
 
-def _mapped(
-    headers: Sequence[str], file: str, mapping: Mapping[str, str]
-) -> dict[str, tuple[int, str]]:
+def _mapped(headers: Sequence[str], file: str, mapping: Mapping[str, str]) -> dict[str, tuple[int, str]]:
     found = {}
     for key, wanted in mapping.items():
         name, wanted = _quantity(key), wanted.strip()
         matches = [at for at, header in enumerate(headers) if header.strip() == wanted]
-        matches = matches or [
-            at for at, header in enumerate(headers) if split_header(header)[0] == wanted
-        ]
+        matches = matches or [at for at, header in enumerate(headers) if split_header(header)[0] == wanted]
         header = headers[matches[0]] if matches else wanted
         if not matches and split_header(wanted)[1] is not None:
             # "gyro [deg/s]" for a column "gyro": the user states the unit that the file lacks.
@@ -117,8 +111,7 @@ def _no_such_column(headers: Sequence[str], file: str, key: str, wanted: str, co
     near = difflib.get_close_matches(wanted, headers, n=1, cutoff=0.0) or ["COLUMN"]
     fault = f"{count} columns" if count else "no column"
     return LogError(
-        f"--map {key}={wanted}: {file} has {fault} of this name; its columns are "
-        + _listed(headers),
+        f"--map {key}={wanted}: {file} has {fault} of this name; its columns are " + _listed(headers),
         usually="two columns share one name; rename one."
         if count
         else "it is a matter of spelling; upper and lower case differ.",
@@ -195,9 +188,7 @@ def _unit(name: str, header: str, file: str) -> Unit:
             read='docs/logs.md, "Units"',
         )  # fmt: skip
     try:
-        unit = parse_unit(
-            text, expect=ACCELERATION if name == "ay" and text in ("g", "G", "mg") else None
-        )
+        unit = parse_unit(text, expect=ACCELERATION if name == "ay" and text in ("g", "G", "mg") else None)
     except UnitError as error:
         raise UnitError(
             f"{where}: {error.what}",

@@ -29,9 +29,7 @@ STANDSTILL = 0.5  # m/s
 SUSTAINED = 99.0
 
 
-def check_units(
-    values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, file: str
-) -> None:
+def check_units(values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, file: str) -> None:
     """Refuse values that cannot be in the unit of their column.
 
     Parameters
@@ -57,9 +55,7 @@ def check_units(
         if name in values:
             _refuse_above(values[name], most, columns[name], ("deg", "mrad"), file, "rad")
     if "ay" in values:
-        _refuse_above(
-            values["ay"], LARGEST_ACCELERATION, columns["ay"], ("m/s^2", "mg"), file, "m/s^2"
-        )
+        _refuse_above(values["ay"], LARGEST_ACCELERATION, columns["ay"], ("m/s^2", "mg"), file, "m/s^2")
 
 
 def _refuse_above(
@@ -117,8 +113,7 @@ def speed_warnings(speed: np.ndarray) -> tuple[str, ...]:
         )
     if back > 0:
         warnings.append(
-            f"the speed is negative in {100 * back:.2g} % of the rows (reverse): nothing is "
-            "learnt there"
+            f"the speed is negative in {100 * back:.2g} % of the rows (reverse): nothing is learnt there"
         )
     return tuple(warnings)
 

@@ -88,9 +88,7 @@ class MatrixFunction:
         if k == 1:
             return value
         done = {line.target for line in self.lines}
-        names = sp.Matrix(
-            self.n, self.n, lambda i, j: sp.Symbol(f"J{k}_{i}{j}", real=True)
-        )
+        names = sp.Matrix(self.n, self.n, lambda i, j: sp.Symbol(f"J{k}_{i}{j}", real=True))
         entries = [(i, j) for i in range(self.n) for j in range(self.n)]
         new = [at for at in entries if names[at].name not in done]
         self.lines += [Assign(names[at].name, value[at]) for at in new]

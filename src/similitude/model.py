@@ -87,7 +87,8 @@ class Model:
                     f"{kind.split()[0]}s={{'{wrong[0]}': ...}}",
                 )
         known = {q.symbol for q in self.quantities}
-        for where, expression in {**self.rates, **self.output_map, **self.constraints}.items():
+        given = (self.rates, self.output_map, self.constraints)  # a state may be an output too
+        for where, expression in (pair for mapping in given for pair in mapping.items()):
             unknown = sorted(s.name for s in sp.sympify(expression).free_symbols - known)
             if unknown:
                 raise self._error(

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.units import Uncertain
+
 FLOOR = np.deg2rad(0.05)  # rad/s; no automotive gyro with its mounting is quieter
 SECOND_DIFFERENCE = np.sqrt(6.0)  # sd of white noise is multiplied by this
 MAD_TO_STD = 1.4826
@@ -45,9 +47,11 @@ def sensor_noise(values: NDArray[np.float64]) -> SensorNoise:
     fresh = float(max(np.mean(changed), 1.0 / finite.size))
     steps = np.abs(np.diff(finite))[changed]
     step = float(np.quantile(steps, 0.01)) if steps.size else 0.0
-    white = _white(finite[1:][changed] if fresh < 0.95 else finite)
+    white = _white(values)
     if 1 - fresh < min(CHANCE_ROOM * CHANCE * step / max(white, FLOOR), HELD_SHARE):
-        fresh, white = 1.0, _white(finite)
+        fresh = 1.0
+    elif fresh < 0.95:
+        white = _white(finite[1:][changed])
     quantisation = step / np.sqrt(12.0)
     return SensorNoise(float(max(white, quantisation, FLOOR) / np.sqrt(fresh)), fresh, step)
 
@@ -55,4 +59,10 @@ def sensor_noise(values: NDArray[np.float64]) -> SensorNoise:
 def _white(readings: NDArray[np.float64]) -> float:
     """Sd of the white part of a signal whose every sample is a new reading."""
     second = np.abs(np.diff(readings, 2))
+    second = second[np.isfinite(second)]  # a difference across a hole is a manoeuvre
     return MAD_TO_STD * float(np.median(second)) / SECOND_DIFFERENCE if second.size else 0.0
+
+
+def gyro_noise(values: NDArray[np.float64], stated: Uncertain | None) -> SensorNoise:
+    """Noise of the yaw rate: as the vehicle file states it, else from the log itself."""
+    return SensorNoise(stated.value, 1.0, 0.0) if stated else sensor_noise(values)

@@ -28,9 +28,7 @@ class Prior:
         """Standard deviations of the coordinates, (n,)."""
         return np.sqrt(np.diag(self.covariance))
 
-    def limits(
-        self, widths: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def limits(self, widths: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lowest and highest value (n,) each, at the given distance in coordinates (n,)."""
         log = np.array([kind == "log" for kind in self.kinds])
         low = np.where(log, self.mean * np.exp(-widths), self.mean - widths)
@@ -70,6 +68,4 @@ class Prior:
         mean[i] = value
         covariance[i, :] = covariance[:, i] = 0.0
         covariance[i, i] = std**2
-        return replace(
-            self, mean=mean, covariance=covariance, origins={**self.origins, name: origin}
-        )
+        return replace(self, mean=mean, covariance=covariance, origins={**self.origins, name: origin})

@@ -143,3 +143,22 @@ def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:
     """Estimate of a positive quantity from the sd of its logarithm; 95 % is value exp(±1.96 sd)."""
     factor = float(np.exp(Z95 * min(log_std, 300.0)))
     return Estimate(value, value * log_std, value / factor, value * factor, unit)
+
+
+def axle_stiffness(vehicle: Vehicle, K: Estimate) -> Estimate | None:
+    """Caf = K m/L where the mass is known; the mass's own sd counts."""
+    if vehicle.m is None or vehicle.L is None:
+        return None
+    own = (vehicle.m.sd or 0.0) / vehicle.m.value
+    return positive_estimate(
+        K.value * vehicle.m.value / vehicle.L.value, float(np.hypot(K.std / K.value, own)), "N/rad"
+    )
+
+
+def held(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Missing values replaced by the last one before (or, at the start, the first one after)."""
+    known = np.flatnonzero(np.isfinite(values))
+    if not known.size:
+        return np.zeros_like(values)
+    at = np.maximum(np.searchsorted(known, np.arange(len(values)), side="right") - 1, 0)
+    return values[known[at]]

@@ -70,10 +70,7 @@ def implicit_step(
     M, G = (_matrix(n, letter, lambda i, j: True) for letter in "MG")
     rate = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in states])
     change = sp.Matrix([sp.Symbol(f"d_{x.name}", real=True) for x in states])
-    lines += [
-        Assign(f"d_{x.name}", (G * rate)[i], "change over the step [-]")
-        for i, x in enumerate(states)
-    ]
+    lines += [Assign(f"d_{x.name}", (G * rate)[i], "change over the step [-]") for i, x in enumerate(states)]
     followers = [path[x] for x in states if x in path]
     rate_of = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in followers])
     lines += [Assign(f"d_{x.name}", (G * rate_of)[i]) for i, x in enumerate(followers)]
@@ -96,9 +93,7 @@ def _shared(
     """Rates, (h/6) df/dx and df/dp with their common parts taken out together, each reciprocal once."""
     named = {f"f_{x.name}": f[i] for i, x in enumerate(states)}
     named |= {f"f_{path[x].name}": f[i].xreplace(path) for i, x in enumerate(states) if x in path}
-    named |= {
-        f"J_{i}{j}": h / 6 * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0
-    }
+    named |= {f"J_{i}{j}": h / 6 * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0}
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}

@@ -43,15 +43,12 @@ def bicycle_response(
     shape = steer.shape
     speed, stiffness = (np.broadcast_to(np.atleast_1d(x).astype(float), shape) for x in (U, K))
     length, p1, ratio, inertia = (
-        np.broadcast_to(np.asarray(x, dtype=float).reshape(-1, 1), (shape[0], 1))
-        for x in (L, pi1, eta, rho)
+        np.broadcast_to(np.asarray(x, dtype=float).reshape(-1, 1), (shape[0], 1)) for x in (L, pi1, eta, rho)
     )
     dt = np.diff(t)
     v, r = np.zeros(shape), np.zeros(shape)
     x = np.zeros((shape[0], 2))
-    changes = (np.diff(speed, axis=1) != 0).any(axis=0) | (np.diff(stiffness, axis=1) != 0).any(
-        axis=0
-    )
+    changes = (np.diff(speed, axis=1) != 0).any(axis=0) | (np.diff(stiffness, axis=1) != 0).any(axis=0)
     changes[:-1] |= np.abs(np.diff(dt)) > 1e-9
     for k in range(shape[1] - 1):
         if k == 0 or changes[k - 1]:

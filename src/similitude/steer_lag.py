@@ -52,7 +52,7 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
     passes = [setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags]
     alone = max(1.0, DEPENDENT / float(np.median(setup.dt)))
-    # A missing steer cell costs one row without a lag and two with one: judge all on the same rows.
+    # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
     shared = np.logical_and.reduce([p.used for p in passes])
     cost = np.array([p.cost(shared) for p in passes]) / alone
     cost -= cost.min()

@@ -66,9 +66,7 @@ def parse_terms(text: str) -> list[tuple[str, Fraction]]:
         raise GrammarError("it is empty")
     if len(text) > LONGEST_TEXT:
         raise GrammarError(f"it is {len(text)} characters long")
-    spelled = _SUPERSCRIPT_RUN.sub(
-        lambda run: "^" + run.group().translate(_SUPERSCRIPTS), text.strip()
-    )
+    spelled = _SUPERSCRIPT_RUN.sub(lambda run: "^" + run.group().translate(_SUPERSCRIPTS), text.strip())
     tokens = _tokens(spelled)
     terms, rest = _unit(tokens)
     if rest:

@@ -134,9 +134,7 @@ def _bare_number(text: str, number: float, expect: Dimension | None) -> UnitErro
     )
 
 
-def parse_uncertain(
-    source: str | Mapping[str, str], *, expect: Dimension | None = None
-) -> Uncertain:
+def parse_uncertain(source: str | Mapping[str, str], *, expect: Dimension | None = None) -> Uncertain:
     """Read a value with or without its standard deviation.
 
     Parameters

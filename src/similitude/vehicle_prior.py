@@ -55,7 +55,7 @@ def vehicle_prior(vehicle: Vehicle) -> Prior:
     if vehicle.L is None:
         raise UsageError(
             f"vehicle {vehicle.name!r} has no wheelbase L [m]",
-            usually="the mass was left out on purpose and the wheelbase with it; the mass cancels, L does not.",
+            usually="it was left out together with the mass; the mass cancels, L does not.",
             paste='L = "2.69 m"',
             read='docs/vehicle.md, "The vehicle file"',
         )

@@ -96,9 +96,7 @@ def read_values(path: Path, table: Mapping, keys: Mapping, text: str) -> dict[st
     return {key: _value(path, key, table[key], text, *keys[key]) for key in keys if key in table}
 
 
-def _value(
-    path: Path, key: str, raw: object, text: str, dimension: Dimension, example: str
-) -> Uncertain:
+def _value(path: Path, key: str, raw: object, text: str, dimension: Dimension, example: str) -> Uncertain:
     where = f"{path.name}{line_of(key, text)}"
     is_number = isinstance(raw, (int, float)) and not isinstance(raw, bool)
     if is_number and dimension == Dimension.none:

@@ -10,6 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.log import Log
+from similitude.population import Prior
+from similitude.run import Trace
 from similitude.status import STATUS
 
 VERDICTS = (
@@ -21,6 +24,7 @@ VERDICTS = (
     "bad_data",
     "diverged",
 )
+LINEAR = 0.3 * 9.80665  # m/s^2, the linear range of a tyre (paper, section 2)
 IDENTIFIED_STD = 0.15  # of ln K
 PRIOR_SHARE = 0.5  # of the prior's sd
 REJECTED_SHARE = 0.20
@@ -44,6 +48,25 @@ class Evidence:
     noise_scale: float  # against the sensor's noise
     at_limit: tuple[str, ...] = ()  # groups that ended at the edge of the population
     finite: bool = True
+
+
+def evidence(
+    log: Log, trace: Trace, prior: Prior, *, noise_scale: float = 1.0, at_limit: tuple[str, ...] = ()
+) -> Evidence:
+    """Collect what a verdict rests on from an estimator's trace over a log."""
+    missing = ~(np.isfinite(log.r) & np.isfinite(log.delta) & np.isfinite(log.U))
+    return Evidence(
+        ln_K_std=float(trace.ln_K_std[-1]),
+        prior_std=float(prior.std[0]),
+        ln_K_away=float(np.log(trace.K[-1] / prior.mean[0])),
+        information=trace.information,
+        outside=np.abs(trace.ay_kinematic) > LINEAR,
+        status=trace.status,
+        rejected=float(np.mean(missing | (trace.status == STATUS["bad_sample"]))),
+        noise_scale=noise_scale,
+        at_limit=at_limit,
+        finite=bool(np.isfinite(trace.K).all() and np.isfinite(trace.ln_K_std).all()),
+    )
 
 
 def verdict(e: Evidence) -> tuple[str, str]:
@@ -101,8 +124,8 @@ def _outside_population(e: Evidence) -> str:
             "steering ratio or population is the usual cause."
         )
     return (
-        f"K is {np.exp(e.ln_K_away):.1f} times the population's, further than its spread allows; the scale of "
-        "the steer angle is the usual cause, since K and steer scale trade."
+        f"K is {np.exp(e.ln_K_away):.3g} times the population's, further than its spread allows; the "
+        "scale of the steer angle is the usual cause, since K and steer scale trade."
     )
 
 

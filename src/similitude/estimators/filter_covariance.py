@@ -45,10 +45,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
     rows: dict[int, dict[int, sp.Expr]] = {}
     for i, name in enumerate(layout.fast):
         row = {at[k]: S(f"F_{name}_{k}") for k in layout.fast}
-        lines += [
-            Assign(f"F_{name}_{k}", step.by_state[i, j] * ratios[j])
-            for j, k in enumerate(layout.fast)
-        ]
+        lines += [Assign(f"F_{name}_{k}", step.by_state[i, j] * ratios[j]) for j, k in enumerate(layout.fast)]
         row |= {at[u]: step.by_parameter[u][i] for u in layout.unknowns}
         rows[at[name]] = row
     added = S("disturbance_scale") * S("w_nominal") * (1 - S("keep_w") * S("keep_w"))
@@ -67,7 +64,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         noise={
             at[DISTURBANCE]: added,
             at[target]: dt
-            * (S("diffusion") + S("jump_drift") * sp.Max(0, S("surprise") - S("surprise_limit"))),
+            * (S("diffusion") + S("jump_drift") * S("jump")),
             at[BIAS]: S("bias_drift") * dt,
         },
     )
@@ -147,15 +144,12 @@ def measurement(layout: Layout) -> list[Statement]:
         ),
         Assign(
             "noise",
-            S("noise_scale")
-            * (S("noise_variance") + timing**2 + share * S("activity") * dependent),
+            S("noise_scale") * (S("noise_variance") + timing**2 + share * S("activity") * dependent),
             "variance of the measurement",
         ),
         *_validity(layout, states),
     ]
-    lines.append(
-        When(S("usable") > sp.Rational(1, 2), tuple(_update(layout, H)), (), "measurement")
-    )
+    lines.append(When(S("usable") > sp.Rational(1, 2), tuple(_update(layout, H)), (), "measurement"))
     lines += _move(layout.reduction.unknowns[0], "move")
     return lines
 
@@ -209,17 +203,17 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "recent mean of the normalised innovation squared",
         ),
         Assign("learn", S("excited") * S("inv_spread")),
+        *_jump(),
         Assign(
             "learn_slow",
-            sp.Piecewise((S("learn"), S("surprise") < S("surprise_limit")), (0, True)),
+            sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
             "a jump is not blamed on what cannot jump",
         ),
     ]
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     weight = {n: "learn_slow" for n in layout.unknowns} | {layout.target: "learn"}
     lines += [
-        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread")))
-        for i, gain in gains.items()
+        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in gains.items()
     ]
     gained = S("gained")
     lines += [
@@ -235,6 +229,21 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     lines += _state_update(layout, gains)
     lines += _adapt(layout)
     return lines
+
+
+def _jump() -> list[Assign]:
+    """Surprise beyond its limit, where it also stands out from what this vehicle usually does."""
+    above = S("surprise") - 1
+    stands_out = S("above") * S("above") > S("jump_ratio") * S("restlessness")
+    beyond = S("surprise") - S("surprise_limit")
+    return [
+        Assign("above", above),
+        Assign(
+            "restlessness",
+            S("restlessness") + _share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
+        ),
+        Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
+    ]
 
 
 def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
@@ -313,8 +322,6 @@ def _adapt(layout: Layout) -> list[Statement]:
         ),
     ]
     if layout.reduction.groups.model.validity is not None:
-        outside = sp.And(
-            S("validity") > S("validity_limit") ** 2, S("status") < sp.Rational(3, 2)
-        )
+        outside = sp.And(S("validity") > S("validity_limit") ** 2, S("status") < sp.Rational(3, 2))
         lines.append(When(outside, (Assign("status", sp.Integer(STATUS["outside_linear"])),)))
     return lines

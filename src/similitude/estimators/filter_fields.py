@@ -91,9 +91,7 @@ class Layout:
         expressions = [*self.reduction.rates.values(), *self.reduction.output_map.values()]
         expressions += [self.reduction.live, *(groups.model.validity or ())[:1]]
         used |= {s.name for e in expressions for s in sp.sympify(e).free_symbols}
-        return tuple(
-            groups.model.quantity(n) for n in groups.base if n in used - set(groups.model.signals)
-        )
+        return tuple(groups.model.quantity(n) for n in groups.base if n in used - set(groups.model.signals))
 
     def at(self, name: str) -> sp.Symbol:
         """The scale of that name as the step uses it now."""
@@ -120,9 +118,7 @@ class Layout:
 def config_fields(layout: Layout) -> tuple[Field, ...]:
     """What the filter is told once: scales, prior, sensor, and the design constants."""
     i, o, t = layout.input, layout.output, layout.target
-    priors = [
-        Field(f"{u.name}_prior", u.unit, f"prior of {u.meaning}") for u in layout.reduction.unknowns
-    ]
+    priors = [Field(f"{u.name}_prior", u.unit, f"prior of {u.meaning}") for u in layout.reduction.unknowns]
     limits = [
         Field(f"{u.name}_{side}", u.unit, f"{side}est value the population allows")
         for u in layout.reduction.unknowns
@@ -161,11 +157,10 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("excitation_ratio", "-", "least variance of sensitivity against noise to learn from"),
         Field("excitation_rate", "1/s", "averaging rate of the excitation"),
         Field("surprise_rate", "1/s", "averaging rate of the normalised innovation"),
+        Field("jump_ratio", "-", "squared surprise against its long-run mean that speaks of a jump"),
         Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
         Field("observed_least", "-", "least share of the disturbance taken as observed"),
-        Field(
-            "outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"
-        ),
+        Field("outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"),
         Field("gap", "s", "longest time without a usable sample before a restart"),
         Field("input_limit", i.unit, f"greatest believable {i.name}"),
         Field("output_limit", o.unit, f"greatest believable {o.name}"),
@@ -175,9 +170,7 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
             "greatest believable scale",
         ),
         Field("validity_limit", _validity_unit(layout), "edge of the model's linear range"),
-        Field(
-            "validity_rate", "1/s", "decay rate of the memory of a visit outside the linear range"
-        ),
+        Field("validity_rate", "1/s", "decay rate of the memory of a visit outside the linear range"),
     )
 
 
@@ -201,6 +194,8 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("disturbance_scale", "-", "disturbance variance against nominal"),
         Field("activity", f"({o.unit})^2", "mean square of the predicted output"),
         Field("settling", "1/s", "adaptation rate of the noise's size now, fast at first"),
+        Field("restlessness", "-", "long-run mean square of the surprise beyond one"),
+        Field("jump", "-", "surprise taken as a jump of the first unknown"),
         Field("surprise", "-", "recent mean of the normalised innovation squared"),
         Field("excitation", f"({o.unit})^2", "mean square sensitivity to the first unknown"),
         Field("excited", "-", "1 while the input excites the first unknown, else 0"),
@@ -211,10 +206,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         ),
         Field("information", "-", f"information gained about ln {layout.target}"),
         Field("last_input", i.unit, "input of the sample before"),
-        *(
-            Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before")
-            for q in layout.signals
-        ),
+        *(Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before") for q in layout.signals),
         Field("age", "s", "time since the last usable sample"),
         Field("started", "-", "0 before the first usable sample, 1 after"),
     )

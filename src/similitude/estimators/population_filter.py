@@ -106,13 +106,14 @@ def _init(layout: Layout) -> list[Statement]:
     """The state before the first sample: the prior."""
     P, prior = layout.covariance, layout.prior
     at = {name: i for i, name in enumerate(layout.coordinates)}
-    lines: list[Statement] = [Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)]
+    lines: list[Statement] = [
+        Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)
+    ]
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
     lines += [Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
     lines += [
-        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2)
-        for n in (*layout.fast, INPUT_SCALE, OFFSET, BIAS)
+        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, INPUT_SCALE, OFFSET, BIAS)
     ]
     lines += [
         Assign(P.target(at[a], at[b]), prior[i, j])
@@ -123,6 +124,8 @@ def _init(layout: Layout) -> list[Statement]:
     lines += [Assign(name, sp.Integer(1)) for name in ("noise_scale", "surprise", "settling")]
     lines.append(Assign("disturbance_scale", S("disturbance_scale_start")))
     names = [
+        "restlessness",
+        "jump",
         "activity",
         "excitation",
         "excited",
@@ -212,7 +215,7 @@ def _restart(layout: Layout) -> list[Statement]:
     w = len(layout.fast)
     wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
     wide.append(Assign(DISTURBANCE, sp.Integer(0)))
-    wide += [Assign(name, sp.Integer(0)) for name in ("excitation", "excited")]
+    wide += [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump")]
     wide.append(Assign("surprise", sp.Integer(1)))
     gap = sp.And(S("age") > S("gap"), S("started") > sp.Rational(1, 2))
     return [
@@ -247,24 +250,18 @@ def _dynamics(layout: Layout) -> list[Statement]:
     reduction, groups = layout.reduction, layout.reduction.groups
     lines = _scales(layout)
     for name, q in zip(layout.fast, groups.model.states, strict=True):
-        ratio = layout.inverted(
-            groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name]
-        )
+        ratio = layout.inverted(groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name])
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
         lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
-    lines.append(
-        Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends")
-    )
+    lines.append(Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
     plain = S("steer") + S(OFFSET)
     unit = layout.inverted(1 / groups.scale[layout.input.name])
     lines.append(Assign("u_plain", plain * unit, "input without the disturbance [-]"))
     lines.append(Assign("u", S("u_plain") + S(DISTURBANCE) * unit, "effective input [-]"))
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
-    rates = [
-        layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states
-    ]
+    rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]
     chain = {u.name: u.jacobian for u in reduction.unknowns} | {"u": unit}
     companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")}
     fast = [S(n) for n in layout.fast]
@@ -290,8 +287,7 @@ def _scales(layout: Layout) -> list[Statement]:
         lines.append(Assign(f"at_{q.name}", sp.Max(S(f"{q.name}_now"), least), "kept off zero"))
         lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), least)))
     lines += [
-        Assign(layout.inverse(q.name).name, 1 / layout.at(q.name))
-        for q in (*layout.signals, *layout.scales)
+        Assign(layout.inverse(q.name).name, 1 / layout.at(q.name)) for q in (*layout.signals, *layout.scales)
     ]
     output = layout.inverted(groups.scale[layout.output.name])
     return [
@@ -327,7 +323,5 @@ def _after(layout: Layout) -> list[Statement]:
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
     lines.append(Assign("last_input", S("u_now")))
     lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
-    lines.append(
-        When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1))))
-    )
+    lines.append(When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))))
     return lines

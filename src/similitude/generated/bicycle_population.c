@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1051 at most, 5 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 79 reals, configuration 61 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1063 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 81 reals, configuration 62 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -81,6 +81,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real excitation_ratio;        /* [-] least variance of sensitivity against noise to learn from */
     bicycle_population_real excitation_rate;         /* [1/s] averaging rate of the excitation */
     bicycle_population_real surprise_rate;           /* [1/s] averaging rate of the normalised innovation */
+    bicycle_population_real jump_ratio;              /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
     bicycle_population_real observed_least;          /* [-] least share of the disturbance taken as observed */
     bicycle_population_real outlier_ratio;           /* [-] squared innovation over its variance beyond which it is bounded */
@@ -109,6 +110,8 @@ typedef struct bicycle_population_state {
     bicycle_population_real disturbance_scale;       /* [-] disturbance variance against nominal */
     bicycle_population_real activity;                /* [(rad/s)^2] mean square of the predicted output */
     bicycle_population_real settling;                /* [1/s] adaptation rate of the noise's size now, fast at first */
+    bicycle_population_real restlessness;            /* [-] long-run mean square of the surprise beyond one */
+    bicycle_population_real jump;                    /* [-] surprise taken as a jump of the first unknown */
     bicycle_population_real surprise;                /* [-] recent mean of the normalised innovation squared */
     bicycle_population_real excitation;              /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_population_real excited;                 /* [-] 1 while the input excites the first unknown, else 0 */
@@ -171,6 +174,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     bicycle_population_real excited;
     bicycle_population_real information;
     bicycle_population_real input_offset;
+    bicycle_population_real jump;
     bicycle_population_real last_U;
     bicycle_population_real last_input;
     bicycle_population_real noise_scale;
@@ -178,6 +182,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     bicycle_population_real pi1;
     bicycle_population_real r_star;
     bicycle_population_real r_star_plain;
+    bicycle_population_real restlessness;
     bicycle_population_real rho;
     bicycle_population_real settling;
     bicycle_population_real started;
@@ -271,6 +276,8 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     settling = R(1.0);
     disturbance_scale = disturbance_scale_start;
     P[19] = disturbance_scale*(disturbance_floor*disturbance_floor);
+    restlessness = R(0.0);
+    jump = R(0.0);
     activity = R(0.0);
     excitation = R(0.0);
     excited = R(0.0);
@@ -295,6 +302,8 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->disturbance_scale = disturbance_scale;
     state->activity = activity;
     state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;
@@ -345,6 +354,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     const bicycle_population_real excitation_ratio = config->excitation_ratio;
     const bicycle_population_real excitation_rate = config->excitation_rate;
     const bicycle_population_real surprise_rate = config->surprise_rate;
+    const bicycle_population_real jump_ratio = config->jump_ratio;
     const bicycle_population_real surprise_limit = config->surprise_limit;
     const bicycle_population_real observed_least = config->observed_least;
     const bicycle_population_real outlier_ratio = config->outlier_ratio;
@@ -374,6 +384,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     bicycle_population_real disturbance_scale = state->disturbance_scale;
     bicycle_population_real activity = state->activity;
     bicycle_population_real settling = state->settling;
+    bicycle_population_real restlessness = state->restlessness;
+    bicycle_population_real jump = state->jump;
     bicycle_population_real surprise = state->surprise;
     bicycle_population_real excitation = state->excitation;
     bicycle_population_real excited = state->excited;
@@ -465,6 +477,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             disturbance = R(0.0);
             excitation = R(0.0);
             excited = R(0.0);
+            jump = R(0.0);
             surprise = R(1.0);
         }
         const bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;
@@ -662,7 +675,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         P[24] = P[24]*keep_w;
         P[25] = P[25]*keep_w;
         P[26] = P[26]*keep_w;
-        P[27] = P[27] + dt*(diffusion + jump_drift*((R(0.0)) > (surprise - surprise_limit) ? R(0.0) : surprise - surprise_limit));
+        P[27] = P[27] + dt*(diffusion + jump*jump_drift);
         P[54] = P[54] + bias_drift*dt;
         disturbance = disturbance*keep_w;
         v_star = d_v_star + v_star;
@@ -703,7 +716,10 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
             surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_population_real learn = excited*inv_spread;
-            const bicycle_population_real learn_slow = (surprise < surprise_limit ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            const bicycle_population_real above = surprise - R(1.0);
+            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
+            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
+            const bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             const bicycle_population_real gain_0 = c_0*inv_spread;
             const bicycle_population_real gain_1 = c_1*inv_spread;
             const bicycle_population_real gain_2 = c_2*inv_spread;
@@ -839,6 +855,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     state->disturbance_scale = disturbance_scale;
     state->activity = activity;
     state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1051
+OPERATIONS = 1063
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -57,6 +57,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
+    ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
     ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
     ('outlier_ratio', '-', 'squared innovation over its variance beyond which it is bounded', 1),
@@ -85,6 +86,8 @@ STATE = (
     ('disturbance_scale', '-', 'disturbance variance against nominal', 1),
     ('activity', '(rad/s)^2', 'mean square of the predicted output', 1),
     ('settling', '1/s', "adaptation rate of the noise's size now, fast at first", 1),
+    ('restlessness', '-', 'long-run mean square of the surprise beyond one', 1),
+    ('jump', '-', 'surprise taken as a jump of the first unknown', 1),
     ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
@@ -222,6 +225,8 @@ def init(config):
     settling = 1.0
     disturbance_scale = disturbance_scale_start
     P_19 = disturbance_scale*(disturbance_floor*disturbance_floor)
+    restlessness = 0.0
+    jump = 0.0
     activity = 0.0
     excitation = 0.0
     excited = 0.0
@@ -231,7 +236,7 @@ def init(config):
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -271,15 +276,16 @@ def step(config, state, sample):
     excitation_ratio = config[49]
     excitation_rate = config[50]
     surprise_rate = config[51]
-    surprise_limit = config[52]
-    observed_least = config[53]
-    outlier_ratio = config[54]
-    gap = config[55]
-    input_limit = config[56]
-    output_limit = config[57]
-    signal_limit = config[58]
-    validity_limit = config[59]
-    validity_rate = config[60]
+    jump_ratio = config[52]
+    surprise_limit = config[53]
+    observed_least = config[54]
+    outlier_ratio = config[55]
+    gap = config[56]
+    input_limit = config[57]
+    output_limit = config[58]
+    signal_limit = config[59]
+    validity_limit = config[60]
+    validity_rate = config[61]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -354,15 +360,17 @@ def step(config, state, sample):
     disturbance_scale = state[67]
     activity = state[68]
     settling = state[69]
-    surprise = state[70]
-    excitation = state[71]
-    excited = state[72]
-    validity = state[73]
-    information = state[74]
-    last_input = state[75]
-    last_U = state[76]
-    age = state[77]
-    started = state[78]
+    restlessness = state[70]
+    jump = state[71]
+    surprise = state[72]
+    excitation = state[73]
+    excited = state[74]
+    validity = state[75]
+    information = state[76]
+    last_input = state[77]
+    last_U = state[78]
+    age = state[79]
+    started = state[80]
     U_now = 0.0
     anew = 0.0
     diffusion = 0.0
@@ -441,6 +449,7 @@ def step(config, state, sample):
             disturbance = 0.0
             excitation = 0.0
             excited = 0.0
+            jump = 0.0
             surprise = 1.0
         least_scale = 0.0003333333333333333*signal_limit
         at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
@@ -636,7 +645,7 @@ def step(config, state, sample):
         P_24 = P_24*keep_w
         P_25 = P_25*keep_w
         P_26 = P_26*keep_w
-        P_27 = P_27 + dt*(diffusion + jump_drift*(0.0 if (0.0) > (surprise - surprise_limit) else surprise - surprise_limit))
+        P_27 = P_27 + dt*(diffusion + jump*jump_drift)
         P_54 = P_54 + bias_drift*dt
         disturbance = disturbance*keep_w
         v_star = d_v_star + v_star
@@ -676,7 +685,10 @@ def step(config, state, sample):
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
             surprise = surprise + ((9.0 if (9.0) < (nis) else nis) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            learn_slow = (learn if surprise < surprise_limit else 0.0)  # a jump is not blamed on what cannot jump
+            above = surprise - 1.0
+            restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
+            jump = (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)
+            learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
@@ -789,5 +801,5 @@ def step(config, state, sample):
     estimate = K
     variance = P_27
     information_gained = information
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

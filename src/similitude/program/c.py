@@ -118,9 +118,7 @@ def _struct(name: str, kind: str, fields: tuple[Field, ...]) -> str:
     return "\n".join([*lines, f"}} {name}_{kind};\n"])
 
 
-def _locals(
-    fields: Iterable[Field], used: set[str], name: str, source: str, qualifier: str
-) -> list[str]:
+def _locals(fields: Iterable[Field], used: set[str], name: str, source: str, qualifier: str) -> list[str]:
     lines = []
     for f in fields:
         for i, symbol in enumerate(f.symbols):

@@ -139,9 +139,7 @@ def _key(source: str, flags: tuple[str, ...], compiler: Compiler) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def _build(
-    source: str, flags: tuple[str, ...], compiler: Compiler, library: pathlib.Path
-) -> pathlib.Path:
+def _build(source: str, flags: tuple[str, ...], compiler: Compiler, library: pathlib.Path) -> pathlib.Path:
     """Compile in a directory of our own, then move library and digest into place."""
     _sweep(library.parent)
     workshop = pathlib.Path(tempfile.mkdtemp(prefix=".build-", dir=library.parent))

@@ -52,9 +52,7 @@ def find_compiler(directories: Sequence[pathlib.Path]) -> Compiler:
             version = (directory / filename).read_text(encoding="utf-8", errors="replace")
             if version:
                 return Compiler(command, version)
-    version = run_compiler(
-        command, ["--version"], subject="its version", scratch=directories[-1]
-    ).strip()
+    version = run_compiler(command, ["--version"], subject="its version", scratch=directories[-1]).strip()
     _keep(directories[-1] / filename, version)
     return Compiler(command, version)
 

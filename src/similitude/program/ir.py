@@ -15,7 +15,6 @@ import sympy as sp
 
 from similitude.errors import ProgramError
 
-
 _C_WORDS = (  # C99, and the arguments of the printed functions
     "auto break case char const continue default do double else enum extern float for goto if "
     "inline int long register restrict return short signed sizeof static struct switch typedef "
@@ -113,9 +112,7 @@ class Program:
             )
 
 
-def _check(
-    program: Program, body: Iterable[Statement], *, known: set[str], writable: set[str]
-) -> set[str]:
+def _check(program: Program, body: Iterable[Statement], *, known: set[str], writable: set[str]) -> set[str]:
     """Raise ProgramError where a name is read before it is assigned; return the names then known."""
     known = set(known)
     for statement in body:
@@ -169,9 +166,7 @@ def walk(body: Iterable[Statement]) -> Iterator[Statement]:
             yield from walk(statement.otherwise)
 
 
-def shared(
-    prefix: str, named: dict[str, sp.Expr], comments: dict[str, str] | None = None
-) -> list[Assign]:
+def shared(prefix: str, named: dict[str, sp.Expr], comments: dict[str, str] | None = None) -> list[Assign]:
     """Assignments of the named expressions with their common subexpressions taken out first.
 
     The temporaries are called ``<prefix>0``, ``<prefix>1``, …; the order is deterministic.
@@ -181,7 +176,6 @@ def shared(
     lines = [Assign(symbol.name, expression) for symbol, expression in replaced]
     texts = comments or {}
     lines += [
-        Assign(name, expression, texts.get(name, ""))
-        for name, expression in zip(named, reduced, strict=True)
+        Assign(name, expression, texts.get(name, "")) for name, expression in zip(named, reduced, strict=True)
     ]
     return lines

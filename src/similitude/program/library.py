@@ -39,9 +39,7 @@ class Library:
     def names(self, struct: str) -> list[str]:
         """Names of the reals of ``config``, ``state``, ``sample`` or ``output``, in order."""
         rows = getattr(self.layout, struct.upper())
-        return [
-            name if size == 1 else f"{name}_{i}" for name, _, _, size in rows for i in range(size)
-        ]
+        return [name if size == 1 else f"{name}_{i}" for name, _, _, size in rows for i in range(size)]
 
     def index(self, struct: str, name: str) -> int:
         """Place of a real (or of an array's first) in a struct."""

@@ -40,10 +40,7 @@ def print_python(program: Program) -> str:
         )
     ]
     for kind in ("config", "state", "sample", "output"):
-        rows = [
-            f"    ({f.name!r}, {f.unit!r}, {f.meaning!r}, {f.size}),"
-            for f in getattr(program, kind)
-        ]
+        rows = [f"    ({f.name!r}, {f.unit!r}, {f.meaning!r}, {f.size})," for f in getattr(program, kind)]
         parts.append("\n".join([f"{kind.upper()} = (", *rows, ")\n"]))
     return "\n".join([*parts, "", _init(program), "", _step(program)])
 

@@ -71,26 +71,18 @@ def predict(
     FP = {(i, j): sp.Symbol(f"FP_{i}_{j}", real=True) for i in rows for j in range(P.n)}
     for j in range(P.n):
         together = sp.Symbol(f"PW_{j}", real=True)
-        lines.append(
-            Assign(together.name, sp.Add(*(w * P[k, j] for k, w in shared.weights.items())))
-        )
+        lines.append(Assign(together.name, sp.Add(*(w * P[k, j] for k, w in shared.weights.items()))))
         for i, row in rows.items():
-            total = sp.Add(
-                *(entry * P[k, j] for k, entry in row.items()), shared.entries[i] * together
-            )
+            total = sp.Add(*(entry * P[k, j] for k, entry in row.items()), shared.entries[i] * together)
             lines.append(Assign(FP[i, j].name, total))
     for i in rows:
         together = sp.Symbol(f"WPF_{i}", real=True)
-        lines.append(
-            Assign(together.name, sp.Add(*(w * FP[i, k] for k, w in shared.weights.items())))
-        )
+        lines.append(Assign(together.name, sp.Add(*(w * FP[i, k] for k, w in shared.weights.items()))))
         for j in range(P.n):
             if j not in rows:
                 lines.append(Assign(P.target(i, j), FP[i, j] * decay.get(j, 1)))
             elif j >= i:
-                full = sp.Add(
-                    *(FP[i, k] * e for k, e in rows[j].items()), shared.entries[j] * together
-                )
+                full = sp.Add(*(FP[i, k] * e for k, e in rows[j].items()), shared.entries[j] * together)
                 lines.append(Assign(P.target(i, j), full + (noise.get(i, 0) if i == j else 0)))
     for i in range(P.n):
         for j in range(i, P.n):

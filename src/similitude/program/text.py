@@ -14,7 +14,6 @@ import sympy as sp
 
 from similitude.errors import ProgramError
 
-
 LONG_SUM = 4  # terms; from here on a sum is added in two halves, which a processor does side by side
 
 
@@ -76,19 +75,22 @@ class _Printer:
         return self.language.names.get(node.name, node.name)
 
     def _number(self, node: sp.Number) -> str:
+        if not node.is_finite:
+            raise ProgramError(
+                f"{sp.sstr(node)} is no number a step can work with",
+                usually="A division by zero or an overflow while the expression was made.",
+                paste="Max(x, least)   # keep a divisor off zero",
+                read="docs/architecture.md, 'Step programs'",
+            )
         value = float(node)
-        return (
-            self.language.number.format(repr(value)) if value >= 0 else f"(-{self._number(-node)})"
-        )
+        return self.language.number.format(repr(value)) if value >= 0 else f"(-{self._number(-node)})"
 
     def _bracket(self, node: sp.Basic) -> str:
         text = self.text(node)
         return f"({text})" if isinstance(node, sp.Add) else text
 
     def _add(self, node: sp.Add) -> str:
-        terms = sorted(
-            node.args, key=lambda a: (a.could_extract_minus_sign(), sp.default_sort_key(a))
-        )
+        terms = sorted(node.args, key=lambda a: (a.could_extract_minus_sign(), sp.default_sort_key(a)))
         if len(terms) >= LONG_SUM and not any(t.could_extract_minus_sign() for t in terms):
             half = len(terms) // 2
             return f"({self._sum(terms[:half])}) + ({self._sum(terms[half:])})"
@@ -105,11 +107,7 @@ class _Printer:
 
     def _mul(self, node: sp.Mul) -> str:
         if node.could_extract_minus_sign():
-            return (
-                f"(-({self.text(-node)}))"
-                if isinstance(-node, sp.Add)
-                else f"(-{self.text(-node)})"
-            )
+            return f"(-({self.text(-node)}))" if isinstance(-node, sp.Add) else f"(-{self.text(-node)})"
         over, under = [], []
         for factor in node.args:
             if isinstance(factor, sp.Pow) and factor.exp.is_negative:

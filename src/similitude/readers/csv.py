@@ -74,9 +74,7 @@ def _load_fast(text: CsvText, positions: Sequence[int], decimal_sign: str) -> Lo
     names = [str(position) for position in positions]
     table, odd_rows = _parse(text, names, pa.float64(), decimal_sign)
     warnings = _judge_rows(text, table.num_rows, odd_rows)
-    columns = tuple(
-        np.ascontiguousarray(table.column(name).to_numpy(), dtype=np.float64) for name in names
-    )
+    columns = tuple(np.ascontiguousarray(table.column(name).to_numpy(), dtype=np.float64) for name in names)
     return Loaded(columns, warnings)
 
 
@@ -99,9 +97,7 @@ def _parse(text: CsvText, names: list[str], kind, decimal_sign: str):
                 block_size=min(len(text.body) + 64, 2**30),
                 column_names=[str(position) for position in range(len(text.headers))],
             ),
-            parse_options=arrow_csv.ParseOptions(
-                delimiter=text.separator, invalid_row_handler=note
-            ),
+            parse_options=arrow_csv.ParseOptions(delimiter=text.separator, invalid_row_handler=note),
             convert_options=arrow_csv.ConvertOptions(
                 include_columns=names,
                 column_types=dict.fromkeys(names, kind),
@@ -151,10 +147,7 @@ def _load_cell_by_cell(text: CsvText, positions: Sequence[int]) -> Loaded:
         ) from None
     warnings = _judge_rows(text, table.num_rows, odd_rows)
     rows = [
-        [
-            (cell or b"").decode("utf-8", "replace").strip()
-            for cell in table.column(name).to_pylist()
-        ]
+        [(cell or b"").decode("utf-8", "replace").strip() for cell in table.column(name).to_pylist()]
         for name in names
     ]
     wrong = _first_wrong(rows)

@@ -33,8 +33,7 @@ def open_parquet(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
     if path.read_bytes()[-4:] != b"PAR1":
         raise LogError(
             f"{path.name} is cut off: a Parquet file ends with its index, and this one does not",
-            usually="the recording or the copy was interrupted; without the index nothing can "
-            "be read.",
+            usually="the recording or the copy was interrupted; without the index nothing can be read.",
             paste=f"cp --force SOURCE/{path.name} .",
             read=READ,
         )
@@ -57,9 +56,7 @@ def _load(path: Path, file, positions: Sequence[int]) -> Loaded:
         # By position, because two columns may share a name.
         table = file.read()
         chosen = [table.column(position).cast(pa.float64(), safe=False) for position in positions]
-        columns = tuple(
-            np.ascontiguousarray(column.to_numpy(), dtype=np.float64) for column in chosen
-        )
+        columns = tuple(np.ascontiguousarray(column.to_numpy(), dtype=np.float64) for column in chosen)
     except Exception as error:  # as above: bytes may be damaged anywhere
         raise _damaged(path, error) from None
     return Loaded(columns)

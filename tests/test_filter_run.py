@@ -1,0 +1,146 @@
+"""One pass over a log: what the step is fed, and what can be read off afterwards."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from similitude.filter_config import DESIGN
+from similitude.filter_run import BRIDGED, coordinates, population_setup
+from similitude.status import STATUS
+from similitude.unit import parse_unit
+
+from .filter_rig import CAR as PRIOR
+from .filter_rig import covariance
+from .simulated_drive import CAR, NOISE, drive, log_of, spoilt
+
+
+def setup_of(log, prior=PRIOR, *, L=CAR["L"], noise_std=NOISE):
+    return population_setup(log, prior, L=L, noise_std=noise_std, input_scale_sd=0.02)
+
+
+@pytest.fixture(scope="module")
+def log():
+    return drive(seconds=10)
+
+
+def test_rows_are_the_log_with_its_own_time_steps(log):
+    rows = setup_of(log).samples()
+    assert rows.shape == (log.samples, 4)
+    assert rows[0, 0] == np.median(np.diff(log.t))
+    assert np.array_equal(rows[1:, 0], np.diff(log.t))
+    for column, name in ((1, "delta"), (2, "U"), (3, "r")):
+        assert np.array_equal(rows[:, column], getattr(log, name))
+
+
+@pytest.mark.parametrize("late", [1, 5, 25])
+def test_a_lag_of_whole_rows_shifts_the_steer(log, late):
+    steer = setup_of(log).with_lag(late * 0.01, 0.2).samples()[:, 1]
+    # t - lag misses a row by rounding of 1e-15 s, times the quickest steer of some 0.1 rad/s
+    assert np.allclose(steer[late:], log.delta[:-late], rtol=0, atol=1e-15)
+    assert np.all(steer[:late] == log.delta[0])
+
+
+def test_a_lag_between_rows_lies_on_the_straight_line(log):
+    steer = setup_of(log).with_lag(0.0125, 0.2).samples()[:, 1]
+    expected = 0.25 * log.delta[:-2] + 0.75 * log.delta[1:-1]
+    assert np.allclose(steer[2:], expected, rtol=0, atol=1e-12)
+
+
+def test_without_a_lag_a_missing_steer_is_missing(log):
+    holed = spoilt(log, delta=[3, 4, 500])
+    assert np.flatnonzero(np.isnan(setup_of(holed).samples()[:, 1])).tolist() == [3, 4, 500]
+
+
+def test_with_a_lag_short_holes_are_bridged_and_long_ones_stay(log):
+    short, long = np.arange(100, 105), np.arange(300, 350)
+    holed = spoilt(log, delta=np.concatenate([short, long]))
+    steer = setup_of(holed).with_lag(0.1, 0.2).samples()[:, 1]
+    missing = np.flatnonzero(np.isnan(steer))
+    # a lag of ten rows; the hole's two ends are known, and rounding may take either into it
+    assert set(range(310, 360)) <= set(missing) <= set(range(309, 361))
+    bridge = np.interp(np.arange(99, 106), [99, 105], log.delta[[99, 105]])
+    assert steer[109:116] == pytest.approx(bridge, abs=1e-12)
+    assert 0.06 < BRIDGED < 0.5
+
+
+def test_a_log_of_few_rows_a_second_is_not_all_holes():
+    log = drive(seconds=20, rate=5)
+    assert np.isfinite(setup_of(log).with_lag(0.1, 0.2).samples()).all()
+
+
+def test_a_pass_can_be_repeated_and_leaves_the_log_alone(log):
+    setup = setup_of(log)
+    before = setup.samples().copy()
+    first, second = setup.run(), setup.run()
+    assert np.array_equal(first.outputs, second.outputs)
+    assert np.array_equal(first.state, second.state)
+    assert np.array_equal(setup.samples(), before)
+
+
+def test_the_end_of_a_pass_is_its_last_row(log):
+    done = setup_of(log).run()
+    assert done.value("K") == done.output("estimate")[-1]
+    assert done.covariance(["K"])[0, 0] == done.output("variance")[-1]
+    assert done.value("information") == done.output("information_gained")[-1]
+
+
+def test_covariance_picks_by_name_in_the_order_asked(log):
+    done = setup_of(log).run()
+    full = covariance(done.setup.library, done.state)
+    names = coordinates(done.setup.library)
+    picked = done.covariance(["rho", "K", "output_bias"])
+    at = [names.index(n) for n in ("rho", "K", "output_bias")]
+    assert np.array_equal(picked, full[np.ix_(at, at)])
+    assert np.array_equal(picked, picked.T)
+    assert np.all(np.linalg.eigvalsh(done.covariance(names)) > 0)
+
+
+def test_used_rows_and_their_cost(log):
+    holed = spoilt(log, r=np.arange(200, 260), delta=[300])
+    done = setup_of(holed).run()
+    assert np.flatnonzero(~done.used).tolist() == [*range(200, 260), 300]
+    assert np.all(done.status[~done.used] == STATUS["no_measurement"])
+    innovation, variance = done.output("innovation"), done.output("innovation_variance")
+    by_hand = sum(
+        0.5 * (np.log(variance[i]) + innovation[i] ** 2 / variance[i]) for i in np.flatnonzero(done.used)
+    )
+    assert done.cost(done.used) == pytest.approx(by_hand, rel=1e-12)
+    assert np.all(innovation[200:260] == 0)
+
+
+def test_the_likelihood_prefers_the_true_car():
+    log = drive(seconds=60)
+    costs = []
+    for factor in (0.5, 1.0, 2.0):
+        prior = PRIOR.known("K", CAR["K"] * factor, 0.01, "told")
+        done = setup_of(log, prior).run(drift=0.0, jump_drift=0.0)
+        costs.append(done.cost(done.used))
+    assert costs[1] < min(costs[0], costs[2])
+
+
+def test_similarity_a_scaled_world_gives_the_same_pi3():
+    """Lengths times s, times times sqrt(s): K and its prior times s, rates 1/sqrt(s), g as it is.
+
+    Not exact through a whole run alone because one averaging rate starts at 1/s in any world.
+    """
+    s = 0.14  # a passenger car shrunk to a tenth
+    log = drive(seconds=20)
+    shrunk = log_of(log.t * s**0.5, log.delta, log.r / s**0.5, log.U * s**0.5)
+    prior = dataclasses.replace(PRIOR, mean=PRIOR.mean * [s, 1, 1, 1])
+    fields = {name: unit for name, unit, _, _ in setup_of(log).library.layout.CONFIG}
+    design = {}
+    for name, value in DESIGN.items():
+        powers = parse_unit(fields[name]).dimension.exponents
+        power = float(powers.get("length", 0)) + float(powers.get("time", 0)) / 2
+        design[name] = value * s**power
+
+    whole = setup_of(log).run()
+    small = setup_of(shrunk, prior, L=CAR["L"] * s, noise_std=NOISE / s**0.5).run(**design)
+
+    for done in (whole, small):
+        assert np.isfinite(done.outputs).all()
+    pi3 = [d.output("estimate")[-1] / d.setup.log.U[-1] ** 2 for d in (whole, small)]
+    sd = np.sqrt(whole.output("variance")[-1])
+    assert abs(np.log(pi3[1] / pi3[0])) < 0.1 * sd
+    assert small.output("variance")[-1] ** 0.5 == pytest.approx(sd, rel=0.05)
