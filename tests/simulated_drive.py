@@ -47,12 +47,32 @@ def drive(
     acting = np.concatenate([np.zeros(late), steer[: steer.size - late]])
     speed = np.broadcast_to(U(t) if callable(U) else U, t.shape).astype(float)
     every = FINE // rate
-    # The speed is held over a row, so the plant runs at the rate of the log where it varies.
-    rows = slice(None, None, every) if callable(U) else slice(None)
-    yaw, _ = bicycle_response(t[rows], acting[rows], speed[rows], **{**CAR, **car})
-    yaw = yaw if callable(U) else yaw[::every]
+    if callable(U):
+        yaw = yaw_rate(acting, speed, 1 / FINE, **{**CAR, **car})[::every]
+    else:
+        yaw = bicycle_response(t, acting, speed, **{**CAR, **car})[0][::every]
     rng = np.random.default_rng(seed + 1000)
     return log_of(t[::every], steer[::every], yaw + noise * rng.standard_normal(yaw.size), speed[::every])
+
+
+def yaw_rate(steer, speed, dt, *, L, K, pi1, eta, rho):
+    """Yaw rate (n,) of the bicycle with 1 kg, midpoint rule, the speed changing as it does."""
+    a = pi1 * L
+    b, front = L - a, K / L
+    rear, inertia = front * eta * a / b, rho * a * b
+    v = r = 0.0
+    yaw = []
+
+    def rates(v, r, d, U):
+        at_front, at_rear = front * (d - (v + a * r) / U), -rear * (v - b * r) / U
+        return at_front + at_rear - U * r, (a * at_front - b * at_rear) / inertia
+
+    for d, U in zip(steer.tolist(), speed.tolist(), strict=True):
+        yaw.append(r)
+        dv, dr = rates(v, r, d, U)
+        dv, dr = rates(v + dt / 2 * dv, r + dt / 2 * dr, d, U)
+        v, r = v + dt * dv, r + dt * dr
+    return np.array(yaw)
 
 
 def log_of(t, delta, r, U):

@@ -50,7 +50,7 @@ def core(monkeypatch, tmp_path):
             read_vehicle=read_vehicle, NEW_VEHICLE="L = 1\n"
         ),
         "similitude.log": SimpleNamespace(read_log=read_log),
-        "similitude.run": SimpleNamespace(identify=identify),
+        "similitude.identification": SimpleNamespace(identify=identify),
     }
     for name, fake in fakes.items():
         monkeypatch.setitem(sys.modules, name, fake)
@@ -235,7 +235,7 @@ def test_a_run_that_is_stopped_while_writing_leaves_nothing(tmp_path, killed_by)
             time.sleep(30)
         sys.modules["similitude.vehicle_file"] = Fake(read_vehicle=lambda path: Fake(name="car"))
         sys.modules["similitude.log"] = Fake(read_log=lambda path, **more: path)
-        sys.modules["similitude.run"] = Fake(identify=lambda log, car, **more: example_run(100))
+        sys.modules["similitude.identification"] = Fake(identify=lambda log, car, **more: example_run(100))
         import similitude.report.files
         similitude.report.files.save_plot = slow
         from similitude.cli import main

@@ -16,13 +16,18 @@ ROOT = pathlib.Path(__file__).parents[1]
 PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
-    "model groups population reduction sampling",
-    "program estimators generated",
+    "model groups population reduction",
+    "program",
+    "matrix_function sampling",
+    "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
     "readers log_quantities log_columns log_checks log_plausibility log",
-    "steer_lag verdict prediction handling run",
+    "vehicle_prior filter_config filter_run steer_lag",
+    "run verdict prediction handling",
+    "identify_population identify_paper",
+    "identification",
     "report",
-    "simulate systems",
+    "simulate systems generate",
     "cli_usage cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

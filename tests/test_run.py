@@ -1,11 +1,10 @@
-"""The front door: names, messages, and the estimate of a positive quantity."""
+"""The nouns of a result and the small laws they keep."""
 
 import dataclasses
 
 import numpy as np
 import pytest
 
-from similitude.errors import UsageError
 from similitude.run import (
     Assumed,
     Estimate,
@@ -14,36 +13,11 @@ from similitude.run import (
     Trace,
     axle_stiffness,
     held,
-    identify,
     positive_estimate,
 )
 from similitude.units import Uncertain
 
-from .simulated_drive import CAR, drive, vehicle
-
-
-@pytest.mark.parametrize("name", ["papr", "", "Population", "ekf"])
-def test_an_estimator_of_another_name_is_refused_in_four_parts(name):
-    with pytest.raises(UsageError) as refused:
-        identify(drive(seconds=3), vehicle(), estimator=name)
-    assert repr(name) in refused.value.what
-    assert "population" in refused.value.what and "paper" in refused.value.what
-    assert len(str(refused.value).splitlines()) == 4
-
-
-def test_a_vehicle_without_a_wheelbase_is_refused():
-    with pytest.raises(UsageError, match="wheelbase"):
-        identify(drive(seconds=3), dataclasses.replace(vehicle(), L=None))
-
-
-def test_the_default_is_the_population_filter():
-    assert identify(drive(seconds=3), vehicle()).estimator == "population"
-
-
-def test_the_papers_estimator_is_reached_by_name():
-    run = identify(drive(seconds=5), vehicle(), estimator="paper")
-    assert run.estimator == "paper"
-    assert np.isfinite(run.trace.K).all()
+from .simulated_drive import CAR, vehicle
 
 
 def test_a_positive_estimate_is_symmetric_in_its_logarithm():

@@ -12,7 +12,7 @@ _ROOMS = {
     "SimilitudeError": "errors",
     "Vehicle": "vehicle_file",
     "bicycle_response": "simulate",
-    "identify": "run",
+    "identify": "identification",
     "read_log": "log",
     "read_vehicle": "vehicle_file",
 }

@@ -178,7 +178,7 @@ def _identify_one(log, car, estimator, mapping, directory, bar) -> tuple[dict, o
     from similitude.log import read_log
     from similitude.report.files import write_report
     from similitude.report.summary import summary
-    from similitude.run import identify as identify_log
+    from similitude.identification import identify as identify_log
 
     steps_before = bar.done
     try:

@@ -34,7 +34,7 @@ UNUSED = ("no_measurement", "too_slow", "bad_sample", "not_excited")
 
 
 def identify_paper(log: Log, vehicle: Vehicle) -> Run:
-    """Run the paper's regression over a log; see `similitude.run.identify`."""
+    """Run the paper's regression over a log; see `similitude.identification.identify`."""
     prior = vehicle_prior(vehicle)
     library = shipped("bicycle_paper")
     noise, L = gyro_noise(log.r, vehicle.yaw_rate_noise), vehicle.L.value

@@ -43,7 +43,7 @@ SCALE_STEP = 0.05  # of the steer angle, to see what its scale does to K
 
 
 def identify_population(log: Log, vehicle: Vehicle) -> Run:
-    """Run the population filter over a log; see `similitude.run.identify`."""
+    """Run the population filter over a log; see `similitude.identification.identify`."""
     prior = vehicle_prior(vehicle)
     noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
     setup = population_setup(

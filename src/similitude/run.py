@@ -1,4 +1,4 @@
-"""Run: an estimator over a log, with everything the reports say.
+"""Run: what an estimator found in a log, with everything the reports say.
 
 Invariant: every number of a Run is finite (where there was no measurement, its innovation is NaN),
 and whatever was not in the log is listed under ``assumed`` with where it came from.
@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.errors import UsageError
 from similitude.log import Log
 from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
@@ -100,43 +99,6 @@ class Run:
     assumed: Mapping[str, Assumed]
     Caf: Estimate | None = None
     alarms: tuple = ()
-
-
-def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Run:
-    """Identify the tyre stiffness of a vehicle from a log.
-
-    Parameters
-    ----------
-    log : Log            t [s], delta [rad], r [rad/s], U [m/s].
-    vehicle : Vehicle    with a wheelbase.
-    estimator : ``population`` (default) or ``paper``.
-
-    Returns
-    -------
-    Run                  the estimate over time, its worth, and what it rests on.
-
-    Raises
-    ------
-    UsageError           the wheelbase is missing or the estimator has another name.
-
-    References
-    ----------
-    Brennan & Alleyne 2004 for the method; docs/identify.md for what the numbers mean.
-    """
-    if estimator == "population":
-        from similitude.identify_population import identify_population
-
-        return identify_population(log, vehicle)
-    if estimator == "paper":
-        from similitude.identify_paper import identify_paper
-
-        return identify_paper(log, vehicle)
-    raise UsageError(
-        f"there is no estimator {estimator!r} (there are population, paper)",
-        usually="the name was misspelt.",
-        paste='identify(log, vehicle, estimator="population")',
-        read='docs/identify.md, "Estimators"',
-    )
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from similitude.estimators import filter_covariance as cov
@@ -21,6 +21,7 @@ LAYOUT = Layout(bicycle_reduction())
 AT = {name: i for i, name in enumerate(LAYOUT.coordinates)}
 
 
+@settings(max_examples=50, deadline=None)
 @given(st.floats(-1, 1))
 def test_the_exponential_without_a_library(x):
     """Third order: positive down to -1, off by less than x^4/24 times e."""
@@ -30,6 +31,7 @@ def test_the_exponential_without_a_library(x):
     assert abs(found - math.exp(x)) <= math.e * x**4 / 24 + 1e-15
 
 
+@settings(max_examples=50, deadline=None)
 @given(st.floats(-5, 5), st.floats(1e-3, 1e3))
 def test_an_unknown_moves_by_at_most_one_in_its_logarithm(by, value):
     moved = run_statements(cov._move(bicycle_reduction().unknowns[0], "d"), {"d": by, "K": value})
@@ -39,6 +41,7 @@ def test_an_unknown_moves_by_at_most_one_in_its_logarithm(by, value):
     assert math.log(moved["K"] / value) == pytest.approx(bounded, abs=0.12 * bounded**4 + 1e-12)
 
 
+@settings(max_examples=50, deadline=None)
 @given(st.floats(0.25, 4))
 def test_the_logarithm_of_the_pull_is_good_to_a_third_of_a_percent(ratio):
     lines = [s for s in cov._pull(LAYOUT) if isinstance(s, Assign) and s.target in "p q pp qq away"]
@@ -56,9 +59,9 @@ def run(rows, **changes):
     return library, state, outputs, status
 
 
-def straight(samples, *, step=0.01, speed=25.0):
+def straight(samples, *, step=0.01, speed=25.0, seed=3):
     """Nothing but noise of the gyro."""
-    yaw = NOISE * np.random.default_rng(3).standard_normal(samples)
+    yaw = NOISE * np.random.default_rng(seed).standard_normal(samples)
     column = np.ones(samples)
     return np.column_stack([step * column, 0 * column, speed * column, yaw])
 
@@ -77,15 +80,18 @@ def test_what_is_only_considered_keeps_its_mean_and_variance():
             assert P[at, at] == pytest.approx(CAR.covariance[i, i], rel=1e-9)
 
 
-def test_on_a_straight_road_nothing_is_learnt_of_the_unknowns():
-    library, state, outputs, status = run(straight(30_000))
+@pytest.mark.parametrize("speed", [15.0, 25.0, 35.0])
+@pytest.mark.parametrize("seed", range(3))
+def test_on_a_straight_road_nothing_is_learnt_of_the_unknowns(speed, seed):
+    """Neither from the noise nor from the offset that is estimated from it, not even at first."""
+    library, state, outputs, status = run(straight(6000, speed=speed, seed=seed))
     P = covariance(library, state)
 
-    assert (status[100:] == library.layout.STATUS["not_excited"]).mean() > 0.999
-    assert outputs[-1, 0] == pytest.approx(CAR.mean[0], rel=1e-3)
+    assert (status == library.layout.STATUS["not_excited"]).all()
+    assert outputs[:, 0] == pytest.approx(CAR.mean[0], rel=1e-9)
     for i, name in enumerate(CAR.names):
-        assert P[AT[name], AT[name]] >= 0.97 * CAR.covariance[i, i]
-    assert P[AT["output_bias"], AT["output_bias"]] < 0.1 * 0.005**2  # but the bias is
+        assert P[AT[name], AT[name]] == pytest.approx(CAR.covariance[i, i], rel=1e-3)
+    assert P[AT["output_bias"], AT["output_bias"]] < 0.005**2  # but a little of the bias is
 
 
 @pytest.mark.parametrize("step", [0.01, 1.0, 30.0, 1e5])

@@ -255,10 +255,10 @@ def _dynamics(layout: Layout) -> list[Statement]:
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
         lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
     lines.append(Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
-    plain = S("steer") + S(OFFSET)
+    plain = S("steer")  # an estimated offset holds the noise it came from
     unit = layout.inverted(1 / groups.scale[layout.input.name])
-    lines.append(Assign("u_plain", plain * unit, "input without the disturbance [-]"))
-    lines.append(Assign("u", S("u_plain") + S(DISTURBANCE) * unit, "effective input [-]"))
+    lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
+    lines.append(Assign("u", S("u_plain") + (S(OFFSET) + S(DISTURBANCE)) * unit, "effective input [-]"))
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
     rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]

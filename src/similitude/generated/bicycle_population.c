@@ -497,8 +497,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         r_star = r_star*ratio_r_star;
         r_star_plain = r_star_plain*ratio_r_star;
         const bicycle_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_population_real u_plain = input_offset + steer; /* input without the disturbance [-] */
-        const bicycle_population_real u = disturbance + u_plain; /* effective input [-] */
+        const bicycle_population_real u_plain = steer; /* measured input alone [-] */
+        const bicycle_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
         const bicycle_population_real inv0 = (R(1.0)/rho);
         const bicycle_population_real inv1 = (R(1.0)/(pi1 - R(1.0)));
         const bicycle_population_real c0 = (-r_star);

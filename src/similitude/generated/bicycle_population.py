@@ -468,8 +468,8 @@ def step(config, state, sample):
         r_star = r_star*ratio_r_star
         r_star_plain = r_star_plain*ratio_r_star
         steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
-        u_plain = input_offset + steer  # input without the disturbance [-]
-        u = disturbance + u_plain  # effective input [-]
+        u_plain = steer  # measured input alone [-]
+        u = disturbance + input_offset + u_plain  # effective input [-]
         inv0 = (1.0/rho)
         inv1 = (1.0/(pi1 - 1.0))
         c0 = (-r_star)

@@ -48,6 +48,7 @@ class _Printer:
         self.language = language
 
     def text(self, node: sp.Basic) -> str:
+        """The node and all below it as source text."""
         for kind, method in (
             (sp.Symbol, self._symbol),
             (sp.Number, self._number),

@@ -1,0 +1,44 @@
+"""What can be wrong with the command line, each with the line that would have worked."""
+
+from pathlib import Path
+
+import pytest
+
+from similitude.cli_usage import ESTIMATORS, NOT_BUILT_YET, check_estimator, no_vehicle, read_mapping
+from similitude.errors import UsageError
+
+
+def test_a_mapping_is_our_name_then_the_log_s():
+    assert read_mapping(["delta=SWA", "r = gyro z"]) == {"delta": "SWA", "r": "gyro z"}
+
+
+@pytest.mark.parametrize("pairs", [["delta"], ["=SWA"], ["delta="], ["r=a", "r=b"]])
+def test_a_mapping_without_two_sides_is_refused_with_the_line_to_write(pairs):
+    with pytest.raises(UsageError) as refused:
+        read_mapping(pairs)
+    assert repr(pairs[-1])[1:-1] in refused.value.what
+    assert refused.value.paste.startswith("--map ")
+
+
+@pytest.mark.parametrize("name", ESTIMATORS)
+def test_estimators_that_exist_pass(name):
+    assert check_estimator(name) is None
+
+
+@pytest.mark.parametrize("name", [*NOT_BUILT_YET, "populaton", ""])
+def test_estimators_that_do_not_exist_name_those_that_do(name):
+    with pytest.raises(UsageError) as refused:
+        check_estimator(name)
+    assert all(known in refused.value.what for known in ESTIMATORS)
+
+
+def test_the_nearest_name_is_offered():
+    with pytest.raises(UsageError) as refused:
+        check_estimator("papr")
+    assert refused.value.paste == "--estimator paper"
+
+
+def test_without_a_vehicle_the_wheelbase_is_asked_for():
+    error = no_vehicle([Path("drive.csv")])
+    assert "wheelbase" in error.what
+    assert "vehicle" in error.paste
