@@ -4,7 +4,7 @@ BIN := .venv/bin
 DEV := .venv/.installed-dev
 BENCH := .venv/.installed-bench
 
-.PHONY: demo test check bench clean
+.PHONY: demo test check bench accuracy clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -19,6 +19,9 @@ check: $(DEV)
 
 bench: $(BENCH)
 	$(BIN)/python -m bench
+
+accuracy: $(DEV)
+	$(BIN)/python scripts/accuracy.py
 
 clean:
 	rm -rf .venv demo-out similitude-out build dist

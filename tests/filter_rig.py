@@ -3,6 +3,7 @@
 import ctypes
 import types
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -56,7 +57,8 @@ class Float32:
     def run(self, config, samples):
         """Outputs, status and last state over the samples."""
         name, single = self.library.name, np.float32
-        config, samples = (np.ascontiguousarray(x, dtype=single) for x in (config, samples))
+        with np.errstate(over="ignore"):  # 1e300 is inf to a float
+            config, samples = (np.ascontiguousarray(x, dtype=single) for x in (config, samples))
         state = np.zeros(len(self.library.names("state")), single)
         outputs = np.zeros((len(samples), len(self.library.names("output"))), single)
         status = np.zeros(len(samples), np.int32)
@@ -70,8 +72,6 @@ class Float32:
 
 
 def _source(library: Library) -> str:
-    from pathlib import Path
-
     return Path(library.layout.__file__).with_suffix(".c").read_text(encoding="utf-8")
 
 

@@ -47,9 +47,7 @@ class Case:
         sd = np.array([self.prior[n][1] for n in names])
         values = {row[0]: 0.0 for row in layout.CONFIG if row[3] == 1} | design(library)
         paced = {"1/s": 0.01 / self.step, "s": self.step / 0.01}  # the constants suit 100 Hz
-        values |= {
-            row[0]: values[row[0]] * paced[row[1]] for row in layout.CONFIG if row[1] in paced
-        }
+        values |= {row[0]: values[row[0]] * paced[row[1]] for row in layout.CONFIG if row[1] in paced}
         values |= {n: v for n, v in self.truth.items() if n in values}
         values |= {
             "P_prior": np.diag(sd**2)[np.triu_indices(len(names))],

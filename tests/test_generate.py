@@ -22,8 +22,11 @@ def test_the_committed_files_are_a_fresh_generation(texts):
         stale += list(difflib.unified_diff(*lines, f"{name} (committed)", f"{name} (fresh)", "", "", 2, ""))
     if stale:
         shown = "\n".join(stale[:80])
-        pytest.fail(f"{shown}\n\nThe model or the generator changed; run and commit:\n"
-                    "    python -m similitude.generate", pytrace=False)
+        pytest.fail(
+            f"{shown}\n\nThe model or the generator changed; run and commit:\n"
+            "    python -m similitude.generate",
+            pytrace=False,
+        )
 
 
 def test_nothing_else_lies_beside_them(texts):

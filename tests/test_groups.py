@@ -20,9 +20,7 @@ def lag(rate) -> Model:
         outputs=(Quantity("x", "m"),),
         parameters=tuple(
             Quantity(name, unit)
-            for name, unit in (
-                ("m1", "kg"), ("reach", "m"), ("tau", "s"), ("m2", "kg"), ("k", "N/m")
-            )
+            for name, unit in (("m1", "kg"), ("reach", "m"), ("tau", "s"), ("m2", "kg"), ("k", "N/m"))
         ),
         rates={"x": rate},
         output_map={"x": x},

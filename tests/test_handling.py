@@ -135,7 +135,8 @@ def test_sd_is_that_of_a_thousand_drawn_cars():
     assert len(found) == 6
     for name, number in found.items():
         # 4000 draws know an sd to 1/sqrt(8000) = 1.1 %; the second order adds about sd/value
-        assert number["std"] == pytest.approx(np.std(columns[name]), rel=0.035 + 0.5 * np.sqrt(covariance.max()))
+        room = 0.035 + 0.5 * np.sqrt(covariance.max())
+        assert number["std"] == pytest.approx(np.std(columns[name]), rel=room)
         assert number["hi"] - number["lo"] == pytest.approx(2 * 1.96 * number["std"])
         assert number["lo"] < number["value"] < number["hi"]
 

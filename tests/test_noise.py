@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from similitude.noise import FLOOR, sensor_noise
+from similitude.noise import FLOOR, gyro_noise, sensor_noise
+from similitude.units import Uncertain
 
 STD = 0.0026  # rad/s
 ROWS = 20_000
@@ -87,3 +88,8 @@ def test_outliers_do_not_count():
     wild = white()
     wild[:: ROWS // 20] = 5.0
     assert sensor_noise(wild).std == pytest.approx(STD, rel=SAMPLING)
+
+
+def test_what_the_vehicle_file_states_is_believed():
+    assert gyro_noise(white(), Uncertain(0.01, None, "rad/s")).std == 0.01
+    assert gyro_noise(white(), None) == sensor_noise(white())

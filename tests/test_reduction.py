@@ -33,9 +33,7 @@ def test_the_reduced_rates_hold_states_inputs_unknowns_and_scales_only(name):
     known |= {q.name for q in (*model.states, *model.inputs)}
 
     used = {
-        s.name
-        for e in (*reduction.rates.values(), *reduction.output_map.values())
-        for s in e.free_symbols
+        s.name for e in (*reduction.rates.values(), *reduction.output_map.values()) for s in e.free_symbols
     }
     assert used <= known
 
@@ -44,9 +42,7 @@ def test_groups_are_replaced_all_at_once():
     """pi1 -> pi2 and pi2 -> pi1 is a swap, not a chain."""
     one, two = (Unknown(n, "-", "log", "identify", "") for n in ("pi2", "pi1"))
     case = CASES["spring"]().reduction
-    swapped = replace(
-        case, unknowns=(one, two), substitution={"pi1": one.symbol, "pi2": two.symbol}
-    )
+    swapped = replace(case, unknowns=(one, two), substitution={"pi1": one.symbol, "pi2": two.symbol})
     a, b = sp.symbols("a b", real=True)
 
     pi1, pi2 = (g.symbol for g in case.groups.groups)

@@ -75,9 +75,7 @@ def test_many_cars_at_once_are_each_the_one():
     together, _ = bicycle_response(t, steer, speed, K=K, **column)
 
     for i in range(3):
-        alone, _ = bicycle_response(
-            t, steer[i], speed[i, 0], K=K[i, 0], **column | {"L": column["L"][i, 0]}
-        )
+        alone, _ = bicycle_response(t, steer[i], speed[i, 0], K=K[i, 0], **column | {"L": column["L"][i, 0]})
         np.testing.assert_allclose(together[i], alone, rtol=1e-12, atol=1e-15)
 
 

@@ -92,7 +92,11 @@ def test_stiffness_of_the_file_counts_with_the_road_of_the_day():
 def test_the_axles_ratio_counts_by_the_uncertainty_of_both():
     eta = CAR * (L - A) / (CAF * A)
     lengths = {"a": value(A), "b": value(L - A)}
-    cases = (((None, None), 0.10), ((8e3, 20e3), math.hypot(0.1, 0.2)), ((8e3, None), math.hypot(0.1, 0.1 / 2**0.5)))
+    cases = (
+        ((None, None), 0.10),
+        ((8e3, 20e3), math.hypot(0.1, 0.2)),
+        ((8e3, None), math.hypot(0.1, 0.1 / 2**0.5)),
+    )
     for (front, rear), seen in cases:
         mean, std, _ = prior_of(Caf=value(CAF, front), Car=value(CAR, rear), **lengths)
         assert (mean["eta"], std["eta"]) == pytest.approx(product(1.42, 0.13, eta, seen))

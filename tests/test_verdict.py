@@ -2,12 +2,16 @@
 
 import dataclasses
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from similitude.status import STATUS
-from similitude.verdict import VERDICTS, Evidence, verdict
+from similitude.verdict import VERDICTS, Evidence, evidence, verdict
+
+from .filter_rig import CAR as PRIOR
+from .simulated_drive import log_of
 
 ROWS = 100
 GOOD = Evidence(
@@ -127,14 +131,54 @@ def test_the_graver_fault_is_the_one_that_is_named():
         "rejected": 0.9, "finite": False, "ln_K_std": 0.4, "ln_K_away": 3.0,
         "noise_scale": 99.0, "outside": beyond(1.0), "information": learnt_evenly(),
     }  # fmt: skip
-    order = ["bad_data", "diverged", "not_excited", "outside_model", "outside_model", "outside_population"]
-    cures = [{"rejected": 0.0}, {"finite": True}, {"ln_K_std": 0.1}, {"outside": beyond(0)}, {"noise_scale": 1.0}]
-    for wanted, cure in zip(order, [*cures, {}], strict=True):
-        assert code(**everything) == wanted
+    faults_and_cures = (
+        ("bad_data", {"rejected": 0.0}),
+        ("diverged", {"finite": True}),
+        ("not_excited", {"ln_K_std": 0.1}),
+        ("outside_model", {"outside": beyond(0)}),
+        ("outside_model", {"noise_scale": 1.0}),
+        ("outside_population", {"ln_K_away": 0.0}),
+    )
+    for fault, cure in faults_and_cures:
+        assert code(**everything) == fault
         everything |= cure
-    assert code(**{**everything, "ln_K_away": 0.0}) == "identified"
+    assert code(**everything) == "identified"
 
 
 def test_a_number_that_decided_is_not_rounded_across_its_bound():
     assert "20.3 %" in judged(rejected=0.203)[1]
     assert "15.2 %" in judged(ln_K_std=0.152)[1]
+
+
+def _trace(rows, **columns):
+    fields = ("t", "K", "ln_K_std", "information", "ay_kinematic", "status")
+    made = {name: np.ones(rows) for name in fields} | {"status": np.zeros(rows, np.int32)} | columns
+    return SimpleNamespace(**made)
+
+
+def test_evidence_is_read_off_the_last_row_and_counts_each_bad_row_once():
+    rows = np.full((4, 10), 0.1)
+    rows[0] = np.arange(10)
+    rows[1, 2] = rows[2, 2] = rows[2, 5] = rows[3, 6] = np.nan
+    status = np.zeros(10, np.int32)
+    status[[5, 8]] = STATUS["bad_sample"]
+    K = np.linspace(100, 2 * PRIOR.mean[0], 10)
+    sideways = np.where(np.arange(10) < 3, -2.95, 2.93)
+    trace = _trace(10, K=K, ln_K_std=np.linspace(0.5, 0.2, 10), ay_kinematic=sideways, status=status)
+
+    found = evidence(log_of(*rows), trace, PRIOR, noise_scale=3.0, at_limit=("eta",))
+
+    assert found.rejected == pytest.approx(0.4)  # rows 2, 5, 6 and 8
+    assert found.ln_K_std == pytest.approx(0.2)
+    assert found.ln_K_away == pytest.approx(np.log(2))
+    assert found.prior_std == pytest.approx(0.5)
+    assert found.outside.tolist() == [True] * 3 + [False] * 7  # 0.3 g is 2.942 m/s^2
+    assert (found.noise_scale, found.at_limit, found.finite) == (3.0, ("eta",), True)
+
+
+@pytest.mark.parametrize("column", ["K", "ln_K_std"])
+def test_a_single_row_that_is_not_finite_is_a_divergence(column):
+    values = np.ones(10)
+    values[4] = np.inf
+    log = log_of(*np.ones((4, 10)))
+    assert not evidence(log, _trace(10, **{column: values}), PRIOR).finite

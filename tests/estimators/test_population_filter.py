@@ -300,7 +300,7 @@ def test_the_list_of_working_values_is_complete():
     own = {
         t
         for t in temporaries
-        if t.isalpha() or not any(t.endswith(f"_{n}") for n in model) and not t[-1].isdigit()
+        if t.isalpha() or (not any(t.endswith(f"_{n}") for n in model) and not t[-1].isdigit())
     }
 
     assert {t for t in own if not t.startswith(("d_", "f_", "F_"))} <= WORKING

@@ -36,9 +36,7 @@ def test_groups_do_not_feel_a_change_of_units(name, data):
     if data.draw(st.booleans()):
         units = {base: data.draw(positive) for base in units}
     values = {q.name: data.draw(positive) for q in groups.model.parameters}
-    other = {
-        q.name: number_in(units, values[q.name], q.dimension) for q in groups.model.parameters
-    }
+    other = {q.name: number_in(units, values[q.name], q.dimension) for q in groups.model.parameters}
 
     before, after = groups.value(values), groups.value(other)
 
@@ -60,8 +58,7 @@ def assert_nothing_lost(groups, draw) -> None:
     values |= {q.symbol: rational(draw()) for q in (*model.states, *model.inputs)}
     pi = {g.symbol: value_of(g, values) for g in groups.groups}
     star = {
-        q.symbol: values[q.symbol] / groups.scale[q.name].subs(values)
-        for q in (*model.states, *model.inputs)
+        q.symbol: values[q.symbol] / groups.scale[q.name].subs(values) for q in (*model.states, *model.inputs)
     }
     time = groups.time_scale.subs(values)
     for q in model.states:
@@ -77,9 +74,7 @@ def rational(value: Fraction) -> sp.Rational:
 
 
 def value_of(group, values):
-    return sp.Mul(
-        *(values[sp.Symbol(n, real=True)] ** rational(e) for n, e in group.exponents.items())
-    )
+    return sp.Mul(*(values[sp.Symbol(n, real=True)] ** rational(e) for n, e in group.exponents.items()))
 
 
 UNITS = st.tuples(*[st.integers(-2, 2)] * 3).map(lambda e: f"kg^{e[0]} m^{e[1]} s^{e[2]}")

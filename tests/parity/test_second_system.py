@@ -48,8 +48,7 @@ def test_the_twin_gives_the_same_bits(case_and_library):
     states = library.start(config), twin_of(library).start(config)
 
     ours, theirs = (
-        lib.run(config, state, rows)
-        for lib, state in zip((library, twin_of(library)), states, strict=True)
+        lib.run(config, state, rows) for lib, state in zip((library, twin_of(library)), states, strict=True)
     )
 
     assert ours[0].tobytes() == theirs[0].tobytes() and (ours[1] == theirs[1]).all()

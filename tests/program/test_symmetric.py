@@ -40,9 +40,7 @@ def test_the_triangle_is_stored_row_by_row_without_holes(n):
     assert order == list(range(P.size))
     assert all(P.index(i, j) == P.index(j, i) for i in range(n) for j in range(n))
     assert len(P.field("-", "").symbols) == P.size
-    assert {P.target(i, j) for i in range(n) for j in range(n)} == {
-        s.name for s in P.field("-", "").symbols
-    }
+    assert {P.target(i, j) for i in range(n) for j in range(n)} == {s.name for s in P.field("-", "").symbols}
 
 
 @settings(max_examples=40, deadline=None)

@@ -101,7 +101,7 @@ OPERATIONS = {
 def c_source(trees) -> str:
     arguments = ", ".join(f"double {n}" for n in NAMES)
     silent = " ".join(f"(void){n};" for n in NAMES)
-    lines = ["#define R(x) ((double)(x))", "#define API __attribute__((visibility(\"default\")))"]
+    lines = ["#define R(x) ((double)(x))", '#define API __attribute__((visibility("default")))']
     for i, expression in enumerate(trees):
         text = expression_text(expression, C)
         lines.append(f"API double e{i}({arguments}) {{ {silent} return {text}; }}")

@@ -86,9 +86,7 @@ def test_the_reduced_rates_are_the_dimensional_ones(m, L, U, share, Caf, Car, Iz
 
 
 def exactly(expression, values) -> Fraction:
-    symbols = {
-        sp.Symbol(n, real=True): sp.Rational(x.numerator, x.denominator) for n, x in values.items()
-    }
+    symbols = {sp.Symbol(n, real=True): sp.Rational(x.numerator, x.denominator) for n, x in values.items()}
     found = sp.Rational(expression.subs(symbols))
     return Fraction(int(found.p), int(found.q))
 

@@ -63,8 +63,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         decay={at[DISTURBANCE]: S("keep_w")},
         noise={
             at[DISTURBANCE]: added,
-            at[target]: dt
-            * (S("diffusion") + S("jump_drift") * S("jump")),
+            at[target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
             at[BIAS]: S("bias_drift") * dt,
         },
     )

@@ -31,7 +31,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
+    "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
     "inv_output_scale keep keep_w learn learn_slow least_scale lost nis noise noise_change "
     "output_rate output_scale p pp q qq response seen sensitivity span steer u u_plain unseen "
     "validity_now validity_square validity_then w_nominal".split()
@@ -182,17 +182,21 @@ def _within(x: sp.Symbol, limit: str) -> sp.Basic:
 def _gates(layout: Layout) -> list[Statement]:
     """Hold the last input over a missing one; decide what the sample can be used for."""
     signals = layout.signals
-    inputs_fine = sp.And(
-        _within(S("input"), "input_limit"), *(_within(q.symbol, "signal_limit") for q in signals)
-    )
-    now = [Assign("u_now", S("input"))] + [Assign(f"{q.name}_now", q.symbol) for q in signals]
-    held = [Assign("u_now", S("last_input"))]
-    held += [Assign(f"{q.name}_now", S(f"last_{q.name}")) for q in signals]
+    read = [("u_now", S("input"), "last_input", "input_limit")]
+    read += [(f"{q.name}_now", q.symbol, f"last_{q.name}", "signal_limit") for q in signals]
     none = (Assign("usable", sp.Integer(0)), Assign("status", sp.Integer(STATUS["no_measurement"])))
     return [
         Assign("usable", sp.Integer(1)),
         Assign("age", S("age") + S("dt")),
-        When(inputs_fine, tuple(now), (*held, *none), "a missing input or scale is held"),
+        *(
+            When(
+                _within(given, limit),
+                (Assign(now, given),),
+                (Assign(now, S(last)), *none),
+                "a missing one is held",
+            )
+            for now, given, last, limit in read
+        ),
         When(sp.Not(_within(S("measured"), "output_limit")), none, (), "no measurement"),
         When(
             S("started") < 0.5,
@@ -215,19 +219,17 @@ def _restart(layout: Layout) -> list[Statement]:
     w = len(layout.fast)
     wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
     wide.append(Assign(DISTURBANCE, sp.Integer(0)))
-    wide += [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump")]
-    wide.append(Assign("surprise", sp.Integer(1)))
-    gap = sp.And(S("age") > S("gap"), S("started") > sp.Rational(1, 2))
+    unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump")]
+    unheard.append(Assign("surprise", sp.Integer(1)))
+    half = sp.Rational(1, 2)
+    gap = sp.And(S("age") > S("gap"), S("started") > half)
+    again = (Assign("status", sp.Integer(STATUS["restarted"])), Assign("anew", sp.Integer(1)))
     return [
-        Assign("anew", sp.Piecewise((1, gap), (0, True)), "1 where the dynamic state starts anew"),
-        When(
-            sp.And(gap, S("usable") > sp.Rational(1, 2)),
-            (Assign("status", sp.Integer(STATUS["restarted"])),),
-            (),
-            "too long without a sample",
-        ),
+        Assign("anew", sp.Integer(0), "1 where the dynamic state starts anew"),
+        When(sp.And(gap, S("usable") > half), again, (), "the first sample after a gap"),
         *_hidden(layout),
-        When(S("anew") > sp.Rational(1, 2), (*zero, *wide), (), "nothing is known of them"),
+        When(sp.Or(gap, S("anew") > half), tuple(unheard), (), "nothing was heard for long"),
+        When(S("anew") > half, (*zero, *wide), (), "nothing is known of them"),
     ]
 
 
@@ -295,7 +297,11 @@ def _scales(layout: Layout) -> list[Statement]:
         Assign("inv_dt", 1 / S("dt")),
         Assign("output_scale", output, f"{layout.output.name} = scale x dimensionless"),
         Assign("inv_output_scale", layout.inverted(1 / groups.scale[layout.output.name])),
-        Assign("span", sp.Min(S("dt"), S("gap")), "[s] after a gap the dynamics start anew anyway"),
+        Assign(
+            "span",
+            sp.Piecewise((S("dt"), S("dt") < S("gap")), (0, True)),
+            "[s] the dynamics start anew at the end of a gap",
+        ),
         Assign("h", S("span") * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
     ]
 

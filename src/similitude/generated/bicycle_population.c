@@ -417,11 +417,16 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
         age = age + dt;
-        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
+        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
             u_now = input;
-            U_now = U;
         } else {
             u_now = last_input;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
+            U_now = U;
+        } else {
             U_now = last_U;
             usable = R(0.0);
             status = R(4.0);
@@ -434,14 +439,21 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             last_input = u_now;
             last_U = U_now;
         }
-        anew = ((age > gap) && (started > R(0.5)) ? R(1.0) : R(0.0)); /* 1 where the dynamic state starts anew */
-        if ((age > gap) && (started > R(0.5)) && (usable > R(0.5))) { /* too long without a sample */
+        anew = R(0.0); /* 1 where the dynamic state starts anew */
+        if ((age > gap) && (started > R(0.5)) && (usable > R(0.5))) { /* the first sample after a gap */
             status = R(5.0);
+            anew = R(1.0);
         }
         if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = R(1.0);
             usable = R(0.0);
             status = R(6.0);
+        }
+        if (((age > gap) && (started > R(0.5))) || (anew > R(0.5))) { /* nothing was heard for long */
+            excitation = R(0.0);
+            excited = R(0.0);
+            jump = R(0.0);
+            surprise = R(1.0);
         }
         if (anew > R(0.5)) { /* nothing is known of them */
             P[0] = R(0.0);
@@ -475,10 +487,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             P[10] = (r_star_sd*r_star_sd);
             P[19] = disturbance_scale*(disturbance_floor*disturbance_floor);
             disturbance = R(0.0);
-            excitation = R(0.0);
-            excited = R(0.0);
-            jump = R(0.0);
-            surprise = R(1.0);
         }
         const bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;
         const bicycle_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
@@ -488,7 +496,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         const bicycle_population_real inv_dt = (R(1.0)/dt);
         const bicycle_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
         const bicycle_population_real inv_output_scale = L*inv_U;
-        const bicycle_population_real span = ((dt) < (gap) ? dt : gap); /* [s] after a gap the dynamics start anew anyway */
+        const bicycle_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
         const bicycle_population_real h = at_U*inv_L*span; /* dimensionless time step */
         const bicycle_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
         v_star = ratio_v_star*v_star;

@@ -392,11 +392,15 @@ def step(config, state, sample):
     if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
         usable = 1.0
         age = age + dt
-        if (U < signal_limit) and (U > (-signal_limit)) and (input < input_limit) and (input > (-input_limit)):  # a missing input or scale is held
+        if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
             u_now = input
-            U_now = U
         else:
             u_now = last_input
+            usable = 0.0
+            status = 4.0
+        if (U < signal_limit) and (U > (-signal_limit)):  # a missing one is held
+            U_now = U
+        else:
             U_now = last_U
             usable = 0.0
             status = 4.0
@@ -406,15 +410,21 @@ def step(config, state, sample):
         if started < 0.5:  # first sample: no sample before it
             last_input = u_now
             last_U = U_now
-        anew = (1.0 if (age > gap) and (started > 0.5) else 0.0)  # 1 where the dynamic state starts anew
-        if (age > gap) and (started > 0.5) and (usable > 0.5):  # too long without a sample
+        anew = 0.0  # 1 where the dynamic state starts anew
+        if (age > gap) and (started > 0.5) and (usable > 0.5):  # the first sample after a gap
             status = 5.0
+            anew = 1.0
         if (10.0*(U_now*U_now) > K_prior) and (U_now > 0.0):  # the dynamics cannot be seen
             pass
         else:
             anew = 1.0
             usable = 0.0
             status = 6.0
+        if ((age > gap) and (started > 0.5)) or (anew > 0.5):  # nothing was heard for long
+            excitation = 0.0
+            excited = 0.0
+            jump = 0.0
+            surprise = 1.0
         if anew > 0.5:  # nothing is known of them
             P_0 = 0.0
             P_1 = 0.0
@@ -447,10 +457,6 @@ def step(config, state, sample):
             P_10 = (r_star_sd*r_star_sd)
             P_19 = disturbance_scale*(disturbance_floor*disturbance_floor)
             disturbance = 0.0
-            excitation = 0.0
-            excited = 0.0
-            jump = 0.0
-            surprise = 1.0
         least_scale = 0.0003333333333333333*signal_limit
         at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
         was_U = (last_U if (last_U) > (least_scale) else least_scale)
@@ -459,7 +465,7 @@ def step(config, state, sample):
         inv_dt = (1.0/dt)
         output_scale = at_U*inv_L  # r = scale x dimensionless
         inv_output_scale = L*inv_U
-        span = (dt if (dt) < (gap) else gap)  # [s] after a gap the dynamics start anew anyway
+        span = (dt if dt < gap else 0.0)  # [s] the dynamics start anew at the end of a gap
         h = at_U*inv_L*span  # dimensionless time step
         ratio_v_star = inv_U*was_U  # same physical state in the new scales
         v_star = ratio_v_star*v_star
