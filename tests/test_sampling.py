@@ -1,5 +1,7 @@
 """The implicit step against the exact matrix exponential, and its Jacobians against differences."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -183,7 +185,7 @@ def test_the_error_of_a_nonlinear_system_is_of_second_order(name):
         errors.append(np.abs(x - expected).max())
 
     assert errors[-1] < 1e-3
-    assert all(3.3 < a / b < 5.0 for a, b in zip(errors, errors[1:], strict=False)), errors
+    assert all(3.3 < a / b < 5.0 for a, b in pairwise(errors)), errors
 
 
 @pytest.mark.parametrize("name", NONLINEAR)

@@ -53,7 +53,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     commanded = looks_like_command(scan)
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
     done = setup.run()
-    trace = _trace(done)
+    trace = _trace(done, _lag_spread(setup, scan))
     code, reason = verdict(
         evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
     )
@@ -84,13 +84,25 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     )
 
 
-def _trace(done: Pass) -> Trace:
+def _lag_spread(setup: Setup, scan: LagScan) -> np.ndarray | float:
+    """Sd of ln K from the sd of a scanned lag: half the difference of two passes, (n,)."""
+    if scan.std == 0:
+        return 0.0
+    sides = [
+        setup.with_lag(max(scan.chosen + sign * scan.std, 0.0), setup.input_scale_sd).run()
+        for sign in (1, -1)
+    ]
+    later, earlier = (np.log(side.output("estimate")) for side in sides)
+    return np.abs(later - earlier) / 2
+
+
+def _trace(done: Pass, lag_spread: np.ndarray | float) -> Trace:
     """Rows of the log; a missing speed is that of the row before."""
     setup = done.setup
     log = setup.log
     U = held(log.U)
     K = done.output("estimate")
-    std = np.sqrt(done.output("variance"))
+    std = np.hypot(np.sqrt(done.output("variance")), lag_spread)
     pi3 = K / _seen_speed(U, setup.prior) ** 2
     predicted = done.output("predicted")
     innovation = np.where(np.isfinite(log.r) & done.used, done.output("innovation"), np.nan)

@@ -30,6 +30,7 @@ class LagScan:
     cost: NDArray[np.float64]
     chosen: float
     origin: str
+    std: float = 0.0  # of the chosen lag [s]; zero where it was not scanned
 
 
 def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
@@ -59,15 +60,18 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     best = int(np.argmin(cost))
     if cost[0] < CONVINCING:
         return LagScan(lags, cost, 0.0, "assumed")
-    return LagScan(lags, cost, _vertex(lags, cost, best), "scanned")
+    chosen, std = _vertex(lags, cost, best)
+    return LagScan(lags, cost, chosen, "scanned", std)
 
 
-def _vertex(lags: NDArray[np.float64], cost: NDArray[np.float64], best: int) -> float:
-    """Lowest point of the parabola through the best lag and its neighbours [s]."""
-    if best in (0, len(lags) - 1):
-        return float(lags[best])
+def _vertex(lags: NDArray[np.float64], cost: NDArray[np.float64], best: int) -> tuple[float, float]:
+    """Lowest point of the parabola through the best lag and its neighbours, and its sd [s]."""
+    if best == len(lags) - 1:
+        return float(lags[best]), STEP
     before, here, after = cost[best - 1 : best + 2]
-    return float(lags[best] + 0.5 * STEP * (before - after) / (before - 2 * here + after))
+    curvature = before - 2 * here + after
+    lag = float(lags[best] + 0.5 * STEP * (before - after) / curvature)
+    return lag, STEP / float(np.sqrt(curvature))
 
 
 def looks_like_command(scan: LagScan) -> bool:

@@ -17,7 +17,8 @@ from ..filter_rig import CAR, NOISE, car, car_config, covariance, scaled_eigenva
 from ..parity.test_float32 import long_drive
 from ..run_statements import evaluate, run_statements
 
-LAYOUT = Layout(bicycle_reduction())
+REDUCTION = bicycle_reduction()
+LAYOUT = Layout(REDUCTION)
 AT = {name: i for i, name in enumerate(LAYOUT.coordinates)}
 
 
@@ -34,7 +35,7 @@ def test_the_exponential_without_a_library(x):
 @settings(max_examples=50, deadline=None)
 @given(st.floats(-5, 5), st.floats(1e-3, 1e3))
 def test_an_unknown_moves_by_at_most_one_in_its_logarithm(by, value):
-    moved = run_statements(cov._move(bicycle_reduction().unknowns[0], "d"), {"d": by, "K": value})
+    moved = run_statements(cov._move(REDUCTION.unknowns[0], "d"), {"d": by, "K": value})
 
     bounded = min(max(by, -1.0), 1.0)
     assert moved["K"] > 0
@@ -72,7 +73,7 @@ def test_what_is_only_considered_keeps_its_mean_and_variance():
     P = covariance(library, state)
 
     assert P[AT["input_scale"], AT["input_scale"]] == pytest.approx(0.02**2, rel=1e-12)
-    for unknown in bicycle_reduction().unknowns:
+    for unknown in REDUCTION.unknowns:
         if unknown.role == "consider":
             i = CAR.names.index(unknown.name)
             at = AT[unknown.name]

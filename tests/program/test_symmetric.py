@@ -10,7 +10,7 @@ from similitude.program.symmetric import Shared, Symmetric, column, predict, red
 
 from ..run_statements import run_statements
 
-sizes = st.integers(1, 7)
+sizes = st.integers(1, 6)
 seeds = st.integers(0, 2**32 - 1)
 
 
@@ -43,7 +43,7 @@ def test_the_triangle_is_stored_row_by_row_without_holes(n):
     assert {P.target(i, j) for i in range(n) for j in range(n)} == {s.name for s in P.field("-", "").symbols}
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(sizes, st.integers(1, 3), seeds)
 def test_predict_is_F_P_F_plus_Q(slow, fast, seed):
     """Dynamic rows dense; columns fast, fast + 1 proportional in them; slow states decay."""
@@ -79,7 +79,7 @@ def test_predict_is_F_P_F_plus_Q(slow, fast, seed):
     assert len(targets) == len(set(targets))  # every entry written once
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(sizes, seeds)
 def test_reduce_by_is_the_joseph_form_of_gains_that_are_optimal_or_zero(n, seed):
     rng = np.random.default_rng(seed)

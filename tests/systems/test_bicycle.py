@@ -66,7 +66,7 @@ def test_the_yaw_transfer_function_is_that_of_section_2():
     assert -np.linalg.solve(A, B)[1, 0] == pytest.approx(gain, rel=1e-12)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=12, deadline=None)
 @given(*[fractions] * 10)
 def test_the_reduced_rates_are_the_dimensional_ones(m, L, U, share, Caf, Car, Iz, at_v, at_r, at_d):
     """Exactly, in rational numbers, for any car: units, unknowns and scales lose nothing."""
