@@ -12,7 +12,6 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from rich.console import Console
 from rich.table import Table
-
 from tests.montecarlo.experiment import fleet, score
 from tests.montecarlo.test_cells import DRIVES
 

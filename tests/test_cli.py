@@ -46,9 +46,7 @@ def core(monkeypatch, tmp_path):
         return run
 
     fakes = {
-        "similitude.vehicle_file": SimpleNamespace(
-            read_vehicle=read_vehicle, NEW_VEHICLE="L = 1\n"
-        ),
+        "similitude.vehicle_file": SimpleNamespace(read_vehicle=read_vehicle, NEW_VEHICLE="L = 1\n"),
         "similitude.log": SimpleNamespace(read_log=read_log),
         "similitude.identification": SimpleNamespace(identify=identify),
     }
@@ -92,15 +90,11 @@ def test_json_prints_one_object_a_log_and_nothing_else(core, capsys):
     assert [record["log"] for record in records] == ["a.csv", "b.csv"]
     for stem, record in zip("ab", records, strict=True):
         assert json.loads(Path(f"res/{stem}/summary.json").read_text("utf-8")) == record
-        assert {Path(path) for path in record["files"].values()} == {
-            Path("res", stem, name) for name in OURS
-        }
+        assert {Path(path) for path in record["files"].values()} == {Path("res", stem, name) for name in OURS}
 
 
 def test_one_bad_log_does_not_stop_the_others(core, capsys):
-    code, out, err = _run(
-        capsys, "identify", "a.csv", "bad.csv", "c.csv", "--vehicle", "car.toml", "--json"
-    )
+    code, out, err = _run(capsys, "identify", "a.csv", "bad.csv", "c.csv", "--vehicle", "car.toml", "--json")
     assert code == 3
     assert [json.loads(line)["log"] for line in out.splitlines()] == ["a.csv", "c.csv"]
     assert err.startswith("LogError: bad.csv")
@@ -194,9 +188,7 @@ def _python(code, **options):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "words", [["--help"], ["identify", "--help"], ["--version"], ["identify", "a"]]
-)
+@pytest.mark.parametrize("words", [["--help"], ["identify", "--help"], ["--version"], ["identify", "a"]])
 def test_help_and_wrong_usage_load_nothing_heavy(words):
     process = _python(f"""
         import sys

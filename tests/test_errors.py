@@ -8,9 +8,7 @@ from similitude import errors
 from similitude.errors import SimilitudeError, shown
 
 KINDS = [
-    kind
-    for kind in vars(errors).values()
-    if isinstance(kind, type) and issubclass(kind, SimilitudeError)
+    kind for kind in vars(errors).values() if isinstance(kind, type) and issubclass(kind, SimilitudeError)
 ]
 PARTS = {
     "what": "column 'r' of drive.csv has no unit",

@@ -151,8 +151,7 @@ def test_imports_follow_the_flow():
         f"{module} imports {wanted}"
         for module, asked in imports().items()
         for wanted in asked
-        if line_of(module) is not None
-        and (line_of(wanted) is None or line_of(wanted) > line_of(module))
+        if line_of(module) is not None and (line_of(wanted) is None or line_of(wanted) > line_of(module))
     ]
 
     assert sorted(against) == []

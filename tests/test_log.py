@@ -56,9 +56,7 @@ SPEEDS = ["m/s", "km/h", "mph", "kn", "ft/s"]
     st.sampled_from(["\n", "\r\n", "\r"]),
     st.sampled_from(["", "\ufeff"]),
 )
-def test_unit_order_separator_and_line_end_change_no_si_value(
-    folder, units, order, separator, end, mark
-):
+def test_unit_order_separator_and_line_end_change_no_si_value(folder, units, order, separator, end, mark):
     columns = drive()
     written = columns / [parse_unit(unit).factor for unit in units]
     names = [f"{header.split()[0]} [{unit}]" for header, unit in zip(HEADERS, units, strict=True)]
@@ -216,9 +214,7 @@ def parquet_bytes(folder):
 
 @settings(max_examples=150, suppress_health_check=list(HealthCheck), deadline=None)
 @given(damages, st.booleans())
-def test_a_damaged_parquet_gives_a_log_or_an_error_in_four_parts(
-    folder, parquet_bytes, damage, from_the_end
-):
+def test_a_damaged_parquet_gives_a_log_or_an_error_in_four_parts(folder, parquet_bytes, damage, from_the_end):
     if from_the_end:  # the index of a Parquet file stands at its end
         raw = damaged(parquet_bytes[::-1], damage)[::-1]
     else:

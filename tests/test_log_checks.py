@@ -102,9 +102,7 @@ def test_short_gaps_are_counted():
 
 
 def column_of(values, *, may_rest=False):
-    return check_column(
-        np.asarray(values, float), header="r [deg/s]", file="drive.csv", may_rest=may_rest
-    )
+    return check_column(np.asarray(values, float), header="r [deg/s]", file="drive.csv", may_rest=may_rest)
 
 
 @given(st.integers(1, 50))

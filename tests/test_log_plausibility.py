@@ -68,15 +68,11 @@ def test_spikes_in_less_than_one_percent_of_the_rows_are_left_to_the_estimator(r
 def test_no_drive_within_the_limits_of_tyres_is_refused(share, speed):
     rate = share * min(6 * 9.80665 / speed, 12.0) / 1.2 * np.sin(np.arange(300.0))
 
-    check_units(
-        {"r": rate, "U": np.full(300, speed), "delta": rate * 0.1}, columns_of(), file="drive.csv"
-    )
+    check_units({"r": rate, "U": np.full(300, speed), "delta": rate * 0.1}, columns_of(), file="drive.csv")
 
 
 def against_steer(factors, headers=HEADERS):
-    return check_against_steer(
-        values_of(factors), columns_of(*headers), wheelbase=2.7, file="drive.csv"
-    )
+    return check_against_steer(values_of(factors), columns_of(*headers), wheelbase=2.7, file="drive.csv")
 
 
 def test_a_quiet_log_in_degrees_is_found_by_its_steer():

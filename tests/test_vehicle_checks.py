@@ -40,9 +40,7 @@ def test_no_production_car_is_refused():
     for row in rows("opendbc_specs.csv"):
         names = {"L": "L [m]", "m": "m [kg]", "steering_ratio": "steer_ratio [-]"}
         units = {"L": "m", "m": "kg", "steering_ratio": "1"}
-        values = of(
-            **{name: f"{row[names[name]]} {units[name]}" for name in names if row[names[name]]}
-        )
+        values = of(**{name: f"{row[names[name]]} {units[name]}" for name in names if row[names[name]]})
         assert find_fault(values, population="passenger_cars") is None, row
 
 

@@ -49,9 +49,7 @@ def test_the_new_vehicle_file_is_readable_with_every_line_filled_in(folder):
         ('L = "2.7 ± 0.03 m"\nb = "1.5 ± 0.04 m"', "a", "L - b"),
     ],
 )
-def test_two_lengths_give_the_third_with_its_deviation_and_its_origin(
-    folder, lines, derived, origin
-):
+def test_two_lengths_give_the_third_with_its_deviation_and_its_origin(folder, lines, derived, origin):
     vehicle = read(folder, lines)
 
     assert vehicle.L.value == pytest.approx(vehicle.a.value + vehicle.b.value, rel=1e-15)

@@ -175,10 +175,10 @@ def _identify(
 
 def _identify_one(log, car, estimator, mapping, directory, bar) -> tuple[dict, object]:
     """Read, estimate and write one log; its summary and its run."""
+    from similitude.identification import identify as identify_log
     from similitude.log import read_log
     from similitude.report.files import write_report
     from similitude.report.summary import summary
-    from similitude.identification import identify as identify_log
 
     steps_before = bar.done
     try:

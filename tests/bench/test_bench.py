@@ -4,13 +4,13 @@ import json
 
 import numpy as np
 import pytest
-
 from bench.drives import CAR, road_drive
 from bench.kernels import P_START
 from bench.measurements import QUICK, Bound, Row, compiled, compiled_kernels, scripted_actions
 from bench.page import record
 from bench.timing import interleave
 from bench.whole_process import processes
+
 from similitude.program.library import shipped
 from similitude.status import STATUS
 

@@ -82,9 +82,7 @@ def test_only_marked_symbols_are_exported(cache):
         _ = library.similitude_test_hidden
 
 
-@pytest.mark.parametrize(
-    "wrong", [{"name": "../probe"}, {"name": ""}, {"name": "a b"}, {"real": "half"}]
-)
+@pytest.mark.parametrize("wrong", [{"name": "../probe"}, {"name": ""}, {"name": "a b"}, {"real": "half"}])
 def test_names_that_cannot_be_files_or_types_are_refused(cache, wrong):
     with pytest.raises(ValueError, match=repr(next(iter(wrong.values())))):
         compile_source(SOURCE, **{"name": "probe", **wrong})
@@ -192,9 +190,7 @@ def test_a_compiler_that_makes_no_library_is_an_error_not_a_loop(cache, tmp_path
 
 
 @pytest.mark.parametrize("home", ["read-only", "a file", "missing"])
-def test_a_home_that_cannot_be_written_gives_way_to_a_private_directory(
-    cache, tmp_path, monkeypatch, home
-):
+def test_a_home_that_cannot_be_written_gives_way_to_a_private_directory(cache, tmp_path, monkeypatch, home):
     if home == "read-only" and os.access("/", os.W_OK):
         pytest.skip("this user may write anywhere")
     where = tmp_path / "home"

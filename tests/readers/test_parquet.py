@@ -22,9 +22,7 @@ def write(tmp_path):
     return written
 
 
-@pytest.mark.parametrize(
-    "kind", [pa.float64(), pa.float32(), pa.int8(), pa.uint32(), pa.decimal128(9, 2)]
-)
+@pytest.mark.parametrize("kind", [pa.float64(), pa.float32(), pa.int8(), pa.uint32(), pa.decimal128(9, 2)])
 def test_any_number_type_becomes_float64_with_nan_for_null(write, kind):
     values = [decimal.Decimal(1) if pa.types.is_decimal(kind) else 1, None, None]
     path = write({"t [s]": pa.array([0.0, 1.0, 2.0]), "r [deg/s]": pa.array(values, kind)})

@@ -5,9 +5,7 @@ from pathlib import Path
 
 import pytest
 
-_spec = importlib.util.spec_from_file_location(
-    "report_example_run", Path(__file__).parent / "example_run.py"
-)
+_spec = importlib.util.spec_from_file_location("report_example_run", Path(__file__).parent / "example_run.py")
 _module = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(_module)
 

@@ -135,9 +135,7 @@ def _groups(K, ln_K_std):
 
     return {
         "pi1": group(0.4461, 0.0181, 0.4498, 0.02, "a/L, centre of gravity behind the front axle"),
-        "eta": group(
-            1.395, 0.094, 1.42, 0.185, "rear/front cornering coefficient; > 1 understeers"
-        ),
+        "eta": group(1.395, 0.094, 1.42, 0.185, "rear/front cornering coefficient; > 1 understeers"),
         "rho": group(1.008, 0.084, 1.017, 0.092, "yaw inertia Iz/(m a b)"),
     }
 

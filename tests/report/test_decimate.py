@@ -21,9 +21,7 @@ def test_no_extreme_is_lost_and_no_more_than_4000_points_are_drawn(n, seed, miss
     drawn = np.isfinite(shown)
     assert np.all(np.diff(shown_t[drawn]) > 0)
     value_at = dict(zip(t, y, strict=True))
-    assert all(
-        value_at[at] == value for at, value in zip(shown_t[drawn], shown[drawn], strict=True)
-    )
+    assert all(value_at[at] == value for at, value in zip(shown_t[drawn], shown[drawn], strict=True))
 
 
 def test_a_line_is_broken_at_a_gap_and_nowhere_else():

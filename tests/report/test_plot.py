@@ -10,9 +10,7 @@ from similitude.status import STATUS
 
 
 def _labels(figure):
-    return " ".join(
-        text.get_text() for axes in figure.axes for text in axes.get_legend().get_texts()
-    )
+    return " ".join(text.get_text() for axes in figure.axes for text in axes.get_legend().get_texts())
 
 
 def test_four_panels_share_time_and_say_their_units(example_run):

@@ -46,9 +46,7 @@ def test_the_file_and_the_line_hold_the_same_object(example_run):
     assert json.loads(json_line(record)) == json.loads(json_page(record)) == record
 
 
-@pytest.mark.parametrize(
-    "bad", [math.nan, math.inf, -math.inf, np.float64("nan"), np.float32("inf")]
-)
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf, np.float64("nan"), np.float32("inf")])
 def test_a_number_that_is_not_finite_is_null_wherever_it_sits(example_run, bad):
     run = example_run(500)
     run.K.std = bad

@@ -17,6 +17,8 @@ from similitude.reduction import Unknown
 from similitude.sampling import ImplicitStep
 from similitude.status import STATUS
 
+LARGEST_STEP = sp.Rational(1, 20)  # of ln noise from one sample, however long it took
+
 
 def S(name: str) -> sp.Symbol:
     """The real symbol of that name."""
@@ -304,7 +306,7 @@ def _adapt(layout: Layout) -> list[Statement]:
             sp.Max(S("noise_adapt"), settling - dt * settling * settling),
             "1/time at first",
         ),
-        Assign("noise_change", _share("settling") * (sp.Min(S("nis"), 9) - 1)),
+        Assign("noise_change", sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1)),
         Assign("noise_scale", S("noise_scale") * _exponential(change)),
         *_limit("noise_scale"),
         Assign("expected", at * S("w_nominal"), "disturbance variance expected"),

@@ -805,7 +805,7 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
             input_offset = input_offset + gain_8*innovation;
             output_bias = output_bias + gain_9*innovation;
             settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
-            const bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(1.0)) < (dt*settling) ? R(1.0) : dt*settling);
+            const bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
             noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
             noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);

@@ -772,7 +772,7 @@ def step(config, state, sample):
             input_offset = input_offset + gain_8*innovation
             output_bias = output_bias + gain_9*innovation
             settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
-            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(1.0 if (1.0) < (dt*settling) else dt*settling)
+            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(0.05 if (0.05) < (dt*settling) else dt*settling)
             noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
             noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
             noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
