@@ -52,6 +52,13 @@ def state_fields(r: Regression) -> tuple[Field, ...]:
     return (
         Field("m1_rate", "-", "m1/T"),
         Field("m2_rate", "-", "m2/T"),
+        Field("m1", f"1/({i.unit})", "m1 per physical input at the last usable scale"),
+        Field("m2", f"1/({o.unit})", "m2 per physical output, the same"),
+        Field("unit", o.unit, "output per dimensionless output, the same"),
+        Field("star", f"1/({o.unit})", "its reciprocal"),
+        Field("inv_direct", "-", "1/weight of the newest output in the filter"),
+        Field("inv_forgetting", "-", "1/forgetting factor"),
+        Field("least_spread", f"({o.unit})^2", "least variance of the filtered second difference"),
         Field("theta", "-", f"{r.unknown} at the last usable scale"),
         Field("P", "-", "covariance of theta per residual variance"),
         Field("mean_square", "-", "mean square of the residual"),

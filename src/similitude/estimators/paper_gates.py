@@ -62,6 +62,25 @@ def _hold(r: Regression) -> list[Statement]:
     ]
 
 
+def at_now(r: Regression, expression: sp.Expr) -> sp.Expr:
+    """An expression in the scales as they are used now."""
+    return sp.sympify(expression).xreplace({S(r.speed): S(f"last_{r.speed}")})
+
+
+def at_scale_of_now(r: Regression) -> list[Assign]:
+    """m1, m2 and units at the scale of now, kept until the scale changes."""
+    groups, layout = r.reduction.groups, r.layout
+    per_input = S("sample_time") / at_now(r, groups.time_scale * groups.scale[layout.input.name])
+    per_output = S("sample_time") / at_now(r, groups.time_scale) * S("star")
+    unit = at_now(r, groups.scale[layout.output.name])
+    return [
+        Assign("unit", unit),
+        Assign("star", 1 / unit),
+        Assign("m1", S("m1_rate") * per_input, "eq 22, per physical input"),
+        Assign("m2", S("m2_rate") * per_output, "eq 22, per physical output"),
+    ]
+
+
 def _follow_scale(r: Regression) -> list[Statement]:
     """The same physical constant in the scale of now; slower than the least scale nothing moves."""
     old, now = f"last_{r.speed}", S("scale_now")
@@ -72,9 +91,13 @@ def _follow_scale(r: Regression) -> list[Statement]:
         Assign("theta", S("theta") * S("ratio")),
         Assign("P", S("P") * S("ratio") ** 2),
     )
-    follow = (
-        When(S("started") > HALF, rescale, (), "another scale, the same constant"),
+    another = (
+        When(S("started") > HALF, rescale, (), "the same constant"),
         Assign(old, now),
+        *at_scale_of_now(r),
+    )
+    follow = (
+        When(sp.Or(now > S(old), now < S(old)), another, (), "another scale"),
         Assign("live", sp.Integer(1)),
         Assign("started", sp.Integer(1)),
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 import sympy as sp
 
 from similitude.estimators.paper_fields import BIQUAD, state_fields
-from similitude.estimators.paper_gates import HALF, S, gates, set_status
+from similitude.estimators.paper_gates import HALF, S, at_now, at_scale_of_now, gates, set_status
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 
@@ -17,16 +17,22 @@ D1, D2 = S("input_before_0"), S("input_before_1")
 
 
 def before_first(r: Regression) -> list[Statement]:
-    """The statements of ``init``: m1/T and m2/T from the frozen groups, the rest at rest."""
+    """The statements of ``init``: all that follows from the configuration, the rest at rest."""
+    direct = S("biquad_1_0") * S("biquad_2_0")
     start = {
         "m1_rate": r.numerator,
         "m2_rate": r.denominator,
         "theta": S(f"{r.unknown}_start"),
         "P": S("P_start"),
+        "inv_direct": 1 / direct,
+        "inv_forgetting": 1 / S("forgetting"),
+        "least_spread": S("noise_variance") * direct**2,
         f"last_{r.speed}": S(f"{r.speed}_least"),
     }
     names = [s.name for f in state_fields(r) for s in f.symbols]
-    return [Assign(name, sp.sympify(start.get(name, 0))) for name in names]
+    at_scale = {line.target for line in at_scale_of_now(r)}
+    plain = [Assign(name, sp.sympify(start.get(name, 0))) for name in names if name not in at_scale]
+    return [*plain, *at_scale_of_now(r)]
 
 
 def one_sample(r: Regression) -> list[Statement]:
@@ -37,7 +43,7 @@ def one_sample(r: Regression) -> list[Statement]:
         Assign("innovation", sp.Integer(0)),
         When(
             sp.And(dt > 0, dt < 1e6),
-            (*gates(r), *_scales(r), *_predict(), *_filter(), *_learn(r), *_remember()),
+            (*gates(r), *_predict(), *_filter(), *_learn(r), *_remember()),
             (set_status("bad_sample"),),
             "time must advance",
         ),
@@ -45,34 +51,16 @@ def one_sample(r: Regression) -> list[Statement]:
     ]
 
 
-def _at(r: Regression, expression: sp.Expr) -> sp.Expr:
-    """An expression in the scales as they are used now."""
-    return sp.sympify(expression).xreplace({S(r.speed): S(f"last_{r.speed}")})
-
-
-def _scales(r: Regression) -> list[Statement]:
-    """m1, m2 at the scale of now, for signals with their units."""
-    groups, layout = r.reduction.groups, r.layout
-    input_star = 1 / _at(r, groups.scale[layout.input.name])
-    return [
-        Assign("T", S("sample_time") / _at(r, groups.time_scale), "dimensionless sample time"),
-        Assign("star", 1 / _at(r, groups.scale[layout.output.name]), "1/unit of the output"),
-        Assign("m1", S("m1_rate") * S("T") * input_star, "eq 22, per physical input"),
-        Assign("m2", S("m2_rate") * S("T") * S("star"), "eq 22, per physical output"),
-        Assign("direct", S("biquad_1_0") * S("biquad_2_0"), "newest output's weight in the filter"),
-    ]
-
-
 def _predict() -> list[Statement]:
     """The regressor and, from the past alone, the raw output whose filtered value it predicts."""
     phi = S("m2") * (R2 - R1) + S("m1") * (D1 - D2)
-    filtered = 2 * R1 - R2 + S("phi") * S("theta") / S("star")
+    filtered = 2 * R1 - R2 + S("phi") * S("theta") * S("unit")
     rest = S("biquad_2_0") * S("output_memory_0") + S("output_memory_2")
     return [
         Assign("phi", phi, "regressor, eqs 25-26"),
         Assign("filtered", filtered, "filtered output predicted"),
         Assign("rest", rest, "filtered output if the newest were zero"),
-        Assign("predicted", (S("filtered") - S("rest")) / S("direct")),
+        Assign("predicted", (S("filtered") - S("rest")) * S("inv_direct")),
         When(S("usable") > HALF, (Assign("innovation", S("y_now") - S("predicted")),)),
     ]
 
@@ -103,7 +91,7 @@ def _learn(r: Regression) -> list[Statement]:
     y_now, dead, limit = S("y_now"), S("dead_zone"), S(f"{r.unknown}_limit")
     beyond = sp.Or(y_now > dead, y_now < -dead)
     used = sp.And(S("live") > HALF, S("fresh") > S("settle_samples"), beyond)
-    least = S("noise_variance") * (S("star") * S("direct")) ** 2
+    least = S("least_spread") * S("star") ** 2
     step = (S("residual") ** 2 - S("mean_square")) / S("weight")
     body = (
         Assign("residual", S("y") - phi * theta),
@@ -114,7 +102,7 @@ def _learn(r: Regression) -> list[Statement]:
         Assign("information", S("information") + (phi * theta) ** 2 / S("spread")),
         Assign("theta", theta + S("gain") * S("residual")),
         Assign("theta", sp.Max(sp.Min(theta, limit), -limit)),
-        Assign("P", (1 - S("gain") * phi) * P / forgetting),
+        Assign("P", (1 - S("gain") * phi) * P * S("inv_forgetting")),
         Assign("P", sp.Max(sp.Min(P, S("P_high")), S("P_low"))),
         *_verdict(r),
     )
@@ -129,7 +117,7 @@ def _verdict(r: Regression) -> list[Statement]:
     lines: list[Statement] = [set_status("ok")]
     validity = r.reduction.groups.model.validity
     if validity is not None:
-        square = _at(r, validity[0]).xreplace({r.layout.output.symbol: S("y_now")}) ** 2
+        square = at_now(r, validity[0]).xreplace({r.layout.output.symbol: S("y_now")}) ** 2
         lines.append(When(square > S("validity_limit") ** 2, (set_status("outside_linear"),)))
     low = S("theta") <= S(f"{r.unknown}_low")
     return [*lines, When(low, (set_status("at_limit"),), (), "no stiffness is zero or less")]
@@ -149,15 +137,15 @@ def _remember() -> list[Statement]:
 def _outputs(r: Regression) -> list[Statement]:
     """The constant for the group; scatter of the residual as variance, without the noise's bias."""
     pi, limit = S(r.unknown), S("variance_limit")
-    unit = _at(r, r.reduction.groups.scale[r.layout.output.name])
-    raw = unit / (S("biquad_1_0") * S("biquad_2_0"))
-    spread = S("innovation_variance") / S("raw") ** 2
-    scatter = sp.Min(S("P") * spread / pi**2, limit)
+    scatter = S("P") * S("innovation_variance") / (pi * S("raw")) ** 2
     return [
         Assign(r.unknown, sp.Max(S("theta"), S(f"{r.unknown}_low"))),
-        Assign("estimate", pi / _at(r, r.per_target)),
-        Assign("raw", raw, "raw output per dimensionless residual"),
+        Assign("estimate", pi / at_now(r, r.per_target)),
+        Assign("raw", S("unit") * S("inv_direct"), "raw output per dimensionless residual"),
         Assign("innovation_variance", sp.Max(S("mean_square") * S("raw") ** 2, S("noise_variance"))),
-        Assign("variance", sp.Piecewise((scatter, S("weight") > HALF), (limit, True))),
+        Assign("variance", limit),
+        When(
+            S("weight") > HALF, (Assign("scatter", scatter), Assign("variance", sp.Min(S("scatter"), limit)))
+        ),
         Assign("information_gained", S("information")),
     ]

@@ -6,8 +6,8 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 174 at most, 29 at least (arithmetic, comparisons, selects), init 11.
- * Memory: state 24 reals, configuration 34 reals; no heap, no globals, no libm, C99.
+ * Operations: step 166 at most, 14 at least (arithmetic, comparisons, selects), init 27.
+ * Memory: state 31 reals, configuration 34 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -70,6 +70,13 @@ typedef struct bicycle_paper_config {
 typedef struct bicycle_paper_state {
     bicycle_paper_real m1_rate;                      /* [-] m1/T */
     bicycle_paper_real m2_rate;                      /* [-] m2/T */
+    bicycle_paper_real m1;                           /* [1/(rad)] m1 per physical input at the last usable scale */
+    bicycle_paper_real m2;                           /* [1/(rad/s)] m2 per physical output, the same */
+    bicycle_paper_real unit;                         /* [rad/s] output per dimensionless output, the same */
+    bicycle_paper_real star;                         /* [1/(rad/s)] its reciprocal */
+    bicycle_paper_real inv_direct;                   /* [-] 1/weight of the newest output in the filter */
+    bicycle_paper_real inv_forgetting;               /* [-] 1/forgetting factor */
+    bicycle_paper_real least_spread;                 /* [(rad/s)^2] least variance of the filtered second difference */
     bicycle_paper_real theta;                        /* [-] pi3 at the last usable scale */
     bicycle_paper_real P;                            /* [-] covariance of theta per residual variance */
     bicycle_paper_real mean_square;                  /* [-] mean square of the residual */
@@ -106,11 +113,17 @@ typedef struct bicycle_paper_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicycle_paper_state *state)
 {
+    const bicycle_paper_real L = config->L;
     const bicycle_paper_real pi1 = config->pi1;
     const bicycle_paper_real pi4_slope = config->pi4_slope;
     const bicycle_paper_real pi5 = config->pi5;
+    const bicycle_paper_real sample_time = config->sample_time;
+    const bicycle_paper_real biquad_1_0 = config->biquad_1[0];
+    const bicycle_paper_real biquad_2_0 = config->biquad_2[0];
     const bicycle_paper_real pi3_start = config->pi3_start;
     const bicycle_paper_real P_start = config->P_start;
+    const bicycle_paper_real forgetting = config->forgetting;
+    const bicycle_paper_real noise_variance = config->noise_variance;
     const bicycle_paper_real U_least = config->U_least;
     bicycle_paper_real *const input_memory = state->input_memory;
     bicycle_paper_real *const output_memory = state->output_memory;
@@ -119,17 +132,27 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
     bicycle_paper_real P;
     bicycle_paper_real fresh;
     bicycle_paper_real information;
+    bicycle_paper_real inv_direct;
+    bicycle_paper_real inv_forgetting;
     bicycle_paper_real last_U;
     bicycle_paper_real last_input;
     bicycle_paper_real last_measured;
+    bicycle_paper_real least_spread;
+    bicycle_paper_real m1;
     bicycle_paper_real m1_rate;
+    bicycle_paper_real m2;
     bicycle_paper_real m2_rate;
     bicycle_paper_real mean_square;
+    bicycle_paper_real star;
     bicycle_paper_real started;
     bicycle_paper_real theta;
+    bicycle_paper_real unit;
     bicycle_paper_real weight;
     m1_rate = pi1/pi5;
     m2_rate = ((pi1*pi1) + pi4_slope*((pi1 - R(1.0))*(pi1 - R(1.0))) + pi5*(R(1.0) + pi4_slope))/pi5;
+    inv_direct = R(1.0)/(biquad_1_0*biquad_2_0);
+    inv_forgetting = (R(1.0)/forgetting);
+    least_spread = noise_variance*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0);
     theta = pi3_start;
     P = P_start;
     mean_square = R(0.0);
@@ -152,8 +175,19 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
     last_U = U_least;
     fresh = R(0.0);
     started = R(0.0);
+    unit = last_U/L;
+    star = L/last_U;
+    m1 = last_U*m1_rate*sample_time/L; /* eq 22, per physical input */
+    m2 = last_U*m2_rate*sample_time*star/L; /* eq 22, per physical output */
     state->m1_rate = m1_rate;
     state->m2_rate = m2_rate;
+    state->m1 = m1;
+    state->m2 = m2;
+    state->unit = unit;
+    state->star = star;
+    state->inv_direct = inv_direct;
+    state->inv_forgetting = inv_forgetting;
+    state->least_spread = least_spread;
     state->theta = theta;
     state->P = P;
     state->mean_square = mean_square;
@@ -209,6 +243,13 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     bicycle_paper_real *const output_before = state->output_before;
     bicycle_paper_real m1_rate = state->m1_rate;
     bicycle_paper_real m2_rate = state->m2_rate;
+    bicycle_paper_real m1 = state->m1;
+    bicycle_paper_real m2 = state->m2;
+    bicycle_paper_real unit = state->unit;
+    bicycle_paper_real star = state->star;
+    bicycle_paper_real inv_direct = state->inv_direct;
+    bicycle_paper_real inv_forgetting = state->inv_forgetting;
+    bicycle_paper_real least_spread = state->least_spread;
     bicycle_paper_real theta = state->theta;
     bicycle_paper_real P = state->P;
     bicycle_paper_real mean_square = state->mean_square;
@@ -253,12 +294,18 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             usable = R(0.0);
         }
         if (scale_now > U_least) { /* fast enough to see the dynamics */
-            if (started > R(0.5)) { /* another scale, the same constant */
-                const bicycle_paper_real ratio = (last_U*last_U)/((scale_now*scale_now)); /* of pi3 for the same K */
-                theta = ratio*theta;
-                P = P*(ratio*ratio);
+            if ((scale_now < last_U) || (scale_now > last_U)) { /* another scale */
+                if (started > R(0.5)) { /* the same constant */
+                    const bicycle_paper_real ratio = (last_U*last_U)/((scale_now*scale_now)); /* of pi3 for the same K */
+                    theta = ratio*theta;
+                    P = P*(ratio*ratio);
+                }
+                last_U = scale_now;
+                unit = last_U/L;
+                star = L/last_U;
+                m1 = last_U*m1_rate*sample_time/L; /* eq 22, per physical input */
+                m2 = last_U*m2_rate*sample_time*star/L; /* eq 22, per physical output */
             }
-            last_U = scale_now;
             live = R(1.0);
             started = R(1.0);
         } else {
@@ -275,15 +322,10 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             fresh = R(0.0);
             status = R(4.0);
         }
-        const bicycle_paper_real T = last_U*sample_time/L; /* dimensionless sample time */
-        const bicycle_paper_real star = L/last_U; /* 1/unit of the output */
-        const bicycle_paper_real m1 = T*m1_rate; /* eq 22, per physical input */
-        const bicycle_paper_real m2 = T*m2_rate*star; /* eq 22, per physical output */
-        const bicycle_paper_real direct = biquad_1_0*biquad_2_0; /* newest output's weight in the filter */
         const bicycle_paper_real phi = m1*(input_before[0] - input_before[1]) + m2*(output_before[1] - output_before[0]); /* regressor, eqs 25-26 */
-        const bicycle_paper_real filtered = R(2.0)*output_before[0] + phi*theta/star - output_before[1]; /* filtered output predicted */
+        const bicycle_paper_real filtered = R(2.0)*output_before[0] + phi*theta*unit - output_before[1]; /* filtered output predicted */
         const bicycle_paper_real rest = output_memory[2] + biquad_2_0*output_memory[0]; /* filtered output if the newest were zero */
-        predicted = (filtered - rest)/direct;
+        predicted = inv_direct*(filtered - rest);
         if (usable > R(0.5)) {
             innovation = y_now - predicted;
         }
@@ -305,11 +347,11 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             const bicycle_paper_real gain = P*phi/((forgetting + P*(phi*phi)));
             weight = R(1.0) + forgetting*weight;
             mean_square = mean_square + ((residual*residual) - mean_square)/weight;
-            const bicycle_paper_real spread = ((mean_square) > (noise_variance*(direct*direct)*(star*star)) ? mean_square : noise_variance*(direct*direct)*(star*star)); /* never below the sensor's share */
+            const bicycle_paper_real spread = ((mean_square) > (least_spread*(star*star)) ? mean_square : least_spread*(star*star)); /* never below the sensor's share */
             information = information + (phi*phi)*(theta*theta)/spread;
             theta = theta + gain*residual;
             theta = (((-pi3_limit)) > (((pi3_limit) < (theta) ? pi3_limit : theta)) ? (-pi3_limit) : ((pi3_limit) < (theta) ? pi3_limit : theta));
-            P = P*(R(1.0) - gain*phi)/forgetting;
+            P = P*inv_forgetting*(R(1.0) - gain*phi);
             P = ((P_low) > (((P) < (P_high) ? P : P_high)) ? P_low : ((P) < (P_high) ? P : P_high));
             status = R(0.0);
             if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
@@ -330,11 +372,19 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     }
     pi3 = ((pi3_low) > (theta) ? pi3_low : theta);
     estimate = pi3*(last_U*last_U);
-    const bicycle_paper_real raw = last_U/(L*biquad_1_0*biquad_2_0); /* raw output per dimensionless residual */
+    const bicycle_paper_real raw = inv_direct*unit; /* raw output per dimensionless residual */
     innovation_variance = ((noise_variance) > (mean_square*(raw*raw)) ? noise_variance : mean_square*(raw*raw));
-    variance = (weight > R(0.5) ? ((variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw*raw))) ? variance_limit : P*innovation_variance/((pi3*pi3)*(raw*raw))) : variance_limit);
+    variance = variance_limit;
+    if (weight > R(0.5)) {
+        const bicycle_paper_real scatter = P*innovation_variance/((pi3*pi3)*(raw*raw));
+        variance = ((scatter) < (variance_limit) ? scatter : variance_limit);
+    }
     information_gained = information;
 
+    state->m1 = m1;
+    state->m2 = m2;
+    state->unit = unit;
+    state->star = star;
     state->theta = theta;
     state->P = P;
     state->mean_square = mean_square;

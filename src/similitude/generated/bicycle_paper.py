@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 174
+OPERATIONS = 166
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -46,6 +46,13 @@ CONFIG = (
 STATE = (
     ('m1_rate', '-', 'm1/T', 1),
     ('m2_rate', '-', 'm2/T', 1),
+    ('m1', '1/(rad)', 'm1 per physical input at the last usable scale', 1),
+    ('m2', '1/(rad/s)', 'm2 per physical output, the same', 1),
+    ('unit', 'rad/s', 'output per dimensionless output, the same', 1),
+    ('star', '1/(rad/s)', 'its reciprocal', 1),
+    ('inv_direct', '-', '1/weight of the newest output in the filter', 1),
+    ('inv_forgetting', '-', '1/forgetting factor', 1),
+    ('least_spread', '(rad/s)^2', 'least variance of the filtered second difference', 1),
     ('theta', '-', 'pi3 at the last usable scale', 1),
     ('P', '-', 'covariance of theta per residual variance', 1),
     ('mean_square', '-', 'mean square of the residual', 1),
@@ -82,14 +89,23 @@ OUTPUT = (
 
 def init(config):
     """The flat state before the first sample, from the flat configuration."""
+    L = config[0]
     pi1 = config[1]
     pi4_slope = config[2]
     pi5 = config[3]
+    sample_time = config[4]
+    biquad_1_0 = config[5]
+    biquad_2_0 = config[10]
     pi3_start = config[15]
     P_start = config[16]
+    forgetting = config[17]
+    noise_variance = config[20]
     U_least = config[28]
     m1_rate = pi1/pi5
     m2_rate = ((pi1*pi1) + pi4_slope*((pi1 - 1.0)*(pi1 - 1.0)) + pi5*(1.0 + pi4_slope))/pi5
+    inv_direct = 1.0/(biquad_1_0*biquad_2_0)
+    inv_forgetting = (1.0/forgetting)
+    least_spread = noise_variance*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)
     theta = pi3_start
     P = P_start
     mean_square = 0.0
@@ -112,7 +128,11 @@ def init(config):
     last_U = U_least
     fresh = 0.0
     started = 0.0
-    return [m1_rate, m2_rate, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
+    unit = last_U/L
+    star = L/last_U
+    m1 = last_U*m1_rate*sample_time/L  # eq 22, per physical input
+    m2 = last_U*m2_rate*sample_time*star/L  # eq 22, per physical output
+    return [m1_rate, m2_rate, m1, m2, unit, star, inv_direct, inv_forgetting, least_spread, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
 
 
 def step(config, state, sample):
@@ -152,28 +172,35 @@ def step(config, state, sample):
     measured = sample[3]
     m1_rate = state[0]
     m2_rate = state[1]
-    theta = state[2]
-    P = state[3]
-    mean_square = state[4]
-    weight = state[5]
-    information = state[6]
-    input_memory_0 = state[7]
-    input_memory_1 = state[8]
-    input_memory_2 = state[9]
-    input_memory_3 = state[10]
-    output_memory_0 = state[11]
-    output_memory_1 = state[12]
-    output_memory_2 = state[13]
-    output_memory_3 = state[14]
-    input_before_0 = state[15]
-    input_before_1 = state[16]
-    output_before_0 = state[17]
-    output_before_1 = state[18]
-    last_input = state[19]
-    last_measured = state[20]
-    last_U = state[21]
-    fresh = state[22]
-    started = state[23]
+    m1 = state[2]
+    m2 = state[3]
+    unit = state[4]
+    star = state[5]
+    inv_direct = state[6]
+    inv_forgetting = state[7]
+    least_spread = state[8]
+    theta = state[9]
+    P = state[10]
+    mean_square = state[11]
+    weight = state[12]
+    information = state[13]
+    input_memory_0 = state[14]
+    input_memory_1 = state[15]
+    input_memory_2 = state[16]
+    input_memory_3 = state[17]
+    output_memory_0 = state[18]
+    output_memory_1 = state[19]
+    output_memory_2 = state[20]
+    output_memory_3 = state[21]
+    input_before_0 = state[22]
+    input_before_1 = state[23]
+    output_before_0 = state[24]
+    output_before_1 = state[25]
+    last_input = state[26]
+    last_measured = state[27]
+    last_U = state[28]
+    fresh = state[29]
+    started = state[30]
     estimate = 0.0
     information_gained = 0.0
     innovation = 0.0
@@ -205,11 +232,16 @@ def step(config, state, sample):
             y_now = last_measured
             usable = 0.0
         if scale_now > U_least:  # fast enough to see the dynamics
-            if started > 0.5:  # another scale, the same constant
-                ratio = (last_U*last_U)/((scale_now*scale_now))  # of pi3 for the same K
-                theta = ratio*theta
-                P = P*(ratio*ratio)
-            last_U = scale_now
+            if (scale_now < last_U) or (scale_now > last_U):  # another scale
+                if started > 0.5:  # the same constant
+                    ratio = (last_U*last_U)/((scale_now*scale_now))  # of pi3 for the same K
+                    theta = ratio*theta
+                    P = P*(ratio*ratio)
+                last_U = scale_now
+                unit = last_U/L
+                star = L/last_U
+                m1 = last_U*m1_rate*sample_time/L  # eq 22, per physical input
+                m2 = last_U*m2_rate*sample_time*star/L  # eq 22, per physical output
             live = 1.0
             started = 1.0
         else:
@@ -223,15 +255,10 @@ def step(config, state, sample):
         else:
             fresh = 0.0
             status = 4.0
-        T = last_U*sample_time/L  # dimensionless sample time
-        star = L/last_U  # 1/unit of the output
-        m1 = T*m1_rate  # eq 22, per physical input
-        m2 = T*m2_rate*star  # eq 22, per physical output
-        direct = biquad_1_0*biquad_2_0  # newest output's weight in the filter
         phi = m1*(input_before_0 - input_before_1) + m2*(output_before_1 - output_before_0)  # regressor, eqs 25-26
-        filtered = 2.0*output_before_0 + phi*theta/star - output_before_1  # filtered output predicted
+        filtered = 2.0*output_before_0 + phi*theta*unit - output_before_1  # filtered output predicted
         rest = output_memory_2 + biquad_2_0*output_memory_0  # filtered output if the newest were zero
-        predicted = (filtered - rest)/direct
+        predicted = inv_direct*(filtered - rest)
         if usable > 0.5:
             innovation = y_now - predicted
         input_half = input_memory_0 + biquad_1_0*u_now
@@ -252,11 +279,11 @@ def step(config, state, sample):
             gain = P*phi/((forgetting + P*(phi*phi)))
             weight = 1.0 + forgetting*weight
             mean_square = mean_square + ((residual*residual) - mean_square)/weight
-            spread = (mean_square if (mean_square) > (noise_variance*(direct*direct)*(star*star)) else noise_variance*(direct*direct)*(star*star))  # never below the sensor's share
+            spread = (mean_square if (mean_square) > (least_spread*(star*star)) else least_spread*(star*star))  # never below the sensor's share
             information = information + (phi*phi)*(theta*theta)/spread
             theta = theta + gain*residual
             theta = ((-pi3_limit) if ((-pi3_limit)) > ((pi3_limit if (pi3_limit) < (theta) else theta)) else (pi3_limit if (pi3_limit) < (theta) else theta))
-            P = P*(1.0 - gain*phi)/forgetting
+            P = P*inv_forgetting*(1.0 - gain*phi)
             P = (P_low if (P_low) > ((P if (P) < (P_high) else P_high)) else (P if (P) < (P_high) else P_high))
             status = 0.0
             if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
@@ -273,9 +300,12 @@ def step(config, state, sample):
         status = 7.0
     pi3 = (pi3_low if (pi3_low) > (theta) else theta)
     estimate = pi3*(last_U*last_U)
-    raw = last_U/(L*biquad_1_0*biquad_2_0)  # raw output per dimensionless residual
+    raw = inv_direct*unit  # raw output per dimensionless residual
     innovation_variance = (noise_variance if (noise_variance) > (mean_square*(raw*raw)) else mean_square*(raw*raw))
-    variance = ((variance_limit if (variance_limit) < (P*innovation_variance/((pi3*pi3)*(raw*raw))) else P*innovation_variance/((pi3*pi3)*(raw*raw))) if weight > 0.5 else variance_limit)
+    variance = variance_limit
+    if weight > 0.5:
+        scatter = P*innovation_variance/((pi3*pi3)*(raw*raw))
+        variance = (scatter if (scatter) < (variance_limit) else variance_limit)
     information_gained = information
-    state[:] = [m1_rate, m2_rate, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
+    state[:] = [m1_rate, m2_rate, m1, m2, unit, star, inv_direct, inv_forgetting, least_spread, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi3]
