@@ -101,9 +101,11 @@ def _learn(r: Regression) -> list[Statement]:
         Assign("spread", sp.Max(S("mean_square"), least), "never below the sensor's share"),
         Assign("information", S("information") + (phi * theta) ** 2 / S("spread")),
         Assign("theta", theta + S("gain") * S("residual")),
-        Assign("theta", sp.Max(sp.Min(theta, limit), -limit)),
+        Assign("theta", sp.Min(theta, limit)),
+        Assign("theta", sp.Max(theta, -limit)),
         Assign("P", (1 - S("gain") * phi) * P * S("inv_forgetting")),
-        Assign("P", sp.Max(sp.Min(P, S("P_high")), S("P_low"))),
+        Assign("P", sp.Min(P, S("P_high"))),
+        Assign("P", sp.Max(P, S("P_low"))),
         *_verdict(r),
     )
     return [

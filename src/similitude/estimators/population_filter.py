@@ -318,13 +318,11 @@ def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
     lines: list[Statement] = []
     hit = []
-    for u in layout.reduction.unknowns:
+    moving = [u for u in layout.reduction.unknowns if u.role != "consider"]
+    for u in moving:
         low, high = S(f"{u.name}_low"), S(f"{u.name}_high")
         hit += [u.symbol < low, u.symbol > high]
-    clip = [
-        Assign(u.name, sp.Min(sp.Max(u.symbol, S(f"{u.name}_low")), S(f"{u.name}_high")))
-        for u in layout.reduction.unknowns
-    ]
+    clip = [Assign(u.name, sp.Min(sp.Max(u.symbol, S(f"{u.name}_low")), S(f"{u.name}_high"))) for u in moving]
     at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
     lines.append(Assign("last_input", S("u_now")))

@@ -6,7 +6,7 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 166 at most, 14 at least (arithmetic, comparisons, selects), init 27.
+ * Operations: step 162 at most, 14 at least (arithmetic, comparisons, selects), init 27.
  * Memory: state 31 reals, configuration 34 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -350,9 +350,11 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
             const bicycle_paper_real spread = ((mean_square) > (least_spread*(star*star)) ? mean_square : least_spread*(star*star)); /* never below the sensor's share */
             information = information + (phi*phi)*(theta*theta)/spread;
             theta = theta + gain*residual;
-            theta = (((-pi3_limit)) > (((pi3_limit) < (theta) ? pi3_limit : theta)) ? (-pi3_limit) : ((pi3_limit) < (theta) ? pi3_limit : theta));
+            theta = ((pi3_limit) < (theta) ? pi3_limit : theta);
+            theta = (((-pi3_limit)) > (theta) ? (-pi3_limit) : theta);
             P = P*inv_forgetting*(R(1.0) - gain*phi);
-            P = ((P_low) > (((P) < (P_high) ? P : P_high)) ? P_low : ((P) < (P_high) ? P : P_high));
+            P = ((P) < (P_high) ? P : P_high);
+            P = ((P) > (P_low) ? P : P_low);
             status = R(0.0);
             if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
                 status = R(2.0);

@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 166
+OPERATIONS = 162
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -282,9 +282,11 @@ def step(config, state, sample):
             spread = (mean_square if (mean_square) > (least_spread*(star*star)) else least_spread*(star*star))  # never below the sensor's share
             information = information + (phi*phi)*(theta*theta)/spread
             theta = theta + gain*residual
-            theta = ((-pi3_limit) if ((-pi3_limit)) > ((pi3_limit if (pi3_limit) < (theta) else theta)) else (pi3_limit if (pi3_limit) < (theta) else theta))
+            theta = (pi3_limit if (pi3_limit) < (theta) else theta)
+            theta = ((-pi3_limit) if ((-pi3_limit)) > (theta) else theta)
             P = P*inv_forgetting*(1.0 - gain*phi)
-            P = (P_low if (P_low) > ((P if (P) < (P_high) else P_high)) else (P if (P) < (P_high) else P_high))
+            P = (P if (P) < (P_high) else P_high)
+            P = (P if (P) > (P_low) else P_low)
             status = 0.0
             if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
                 status = 2.0

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1063 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1055 at most, 5 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 81 reals, configuration 62 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -324,8 +324,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     const bicycle_population_real prior_information = config->prior_information;
     const bicycle_population_real K_low = config->K_low;
     const bicycle_population_real K_high = config->K_high;
-    const bicycle_population_real pi1_low = config->pi1_low;
-    const bicycle_population_real pi1_high = config->pi1_high;
     const bicycle_population_real eta_low = config->eta_low;
     const bicycle_population_real eta_high = config->eta_high;
     const bicycle_population_real rho_low = config->rho_low;
@@ -825,9 +823,8 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
         const bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
             K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
-            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
             eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
             rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
             if (usable > R(0.5)) {
@@ -854,7 +851,6 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     state->r_star_plain = r_star_plain;
     state->disturbance = disturbance;
     state->K = K;
-    state->pi1 = pi1;
     state->eta = eta;
     state->rho = rho;
     state->input_offset = input_offset;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1063
+OPERATIONS = 1055
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -246,8 +246,6 @@ def step(config, state, sample):
     prior_information = config[15]
     K_low = config[16]
     K_high = config[17]
-    pi1_low = config[18]
-    pi1_high = config[19]
     eta_low = config[20]
     eta_high = config[21]
     rho_low = config[22]
@@ -789,9 +787,8 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
             K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
             eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
             rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
             if usable > 0.5:
