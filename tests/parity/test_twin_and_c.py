@@ -1,5 +1,7 @@
 """The Python twin and the compiled C agree bit for bit, on every status path."""
 
+import ctypes
+
 import numpy as np
 import pytest
 
@@ -39,3 +41,20 @@ def test_the_same_bits_over_a_rough_drive(seed):
 @pytest.mark.parametrize("seed", range(4, 12))
 def test_the_same_bits_over_a_million_samples(seed):
     assert_same_bits(125_000, seed)
+
+
+def test_the_batch_loop_does_what_single_steps_do():
+    library = car()
+    assert library.c is not None, library.why_slow
+    config, rows = car_config(library), rough_drive(5000, 31)
+    state, alone = library.start(config), library.start(config)
+    batch, codes = library.run(config, state, rows)
+
+    step = getattr(library.c, f"{library.name}_step")
+    step.argtypes = [ctypes.c_void_p] * 4
+    out = np.zeros_like(batch)
+    status = [step(*(x.ctypes.data for x in (config, alone, rows[i], out[i]))) for i in range(len(rows))]
+
+    assert np.array_equal(bits(batch), bits(out))
+    assert status == codes.tolist()
+    assert np.array_equal(bits(state), bits(alone))

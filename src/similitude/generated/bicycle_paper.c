@@ -23,6 +23,13 @@
 #define SIMILITUDE_API
 #endif
 #endif
+#ifndef SIMILITUDE_INLINE
+#if defined(__GNUC__)
+#define SIMILITUDE_INLINE static inline __attribute__((always_inline))
+#else
+#define SIMILITUDE_INLINE static inline
+#endif
+#endif
 
 typedef SIMILITUDE_REAL bicycle_paper_real;
 #define R(x) ((bicycle_paper_real)(x))
@@ -200,9 +207,9 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
     state->started = started;
 }
 
-/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
-SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycle_paper_state *state,
-                               const bicycle_paper_sample *sample, bicycle_paper_output *output)
+/* What the step and the batch loop do with one sample. */
+SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, bicycle_paper_state *state,
+                                     const bicycle_paper_sample *sample, bicycle_paper_output *output)
 {
     const bicycle_paper_real L = config->L;
     const bicycle_paper_real sample_time = config->sample_time;
@@ -407,12 +414,21 @@ SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycl
     return (int)status;
 }
 
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int bicycle_paper_step(const bicycle_paper_config *config, bicycle_paper_state *state,
+                               const bicycle_paper_sample *sample, bicycle_paper_output *output)
+{
+    return bicycle_paper_advance(config, state, sample, output);
+}
+
 /* The step over n samples; the same bits as calling it n times. */
 SIMILITUDE_API long bicycle_paper_batch(const bicycle_paper_config *config, bicycle_paper_state *state, long n,
                                  const bicycle_paper_sample *samples, bicycle_paper_output *outputs, int *status)
 {
+    bicycle_paper_state now = *state;
     long i;
     for (i = 0; i < n; ++i)
-        status[i] = bicycle_paper_step(config, state, &samples[i], &outputs[i]);
+        status[i] = bicycle_paper_advance(config, &now, &samples[i], &outputs[i]);
+    *state = now;
     return n;
 }

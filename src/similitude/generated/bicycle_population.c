@@ -22,6 +22,13 @@
 #define SIMILITUDE_API
 #endif
 #endif
+#ifndef SIMILITUDE_INLINE
+#if defined(__GNUC__)
+#define SIMILITUDE_INLINE static inline __attribute__((always_inline))
+#else
+#define SIMILITUDE_INLINE static inline
+#endif
+#endif
 
 typedef SIMILITUDE_REAL bicycle_population_real;
 #define R(x) ((bicycle_population_real)(x))
@@ -315,9 +322,9 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->started = started;
 }
 
-/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
-SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *config, bicycle_population_state *state,
-                               const bicycle_population_sample *sample, bicycle_population_output *output)
+/* What the step and the batch loop do with one sample. */
+SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config *config, bicycle_population_state *state,
+                                     const bicycle_population_sample *sample, bicycle_population_output *output)
 {
     const bicycle_population_real L = config->L;
     const bicycle_population_real K_prior = config->K_prior;
@@ -879,12 +886,21 @@ SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *conf
     return (int)status;
 }
 
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int bicycle_population_step(const bicycle_population_config *config, bicycle_population_state *state,
+                               const bicycle_population_sample *sample, bicycle_population_output *output)
+{
+    return bicycle_population_advance(config, state, sample, output);
+}
+
 /* The step over n samples; the same bits as calling it n times. */
 SIMILITUDE_API long bicycle_population_batch(const bicycle_population_config *config, bicycle_population_state *state, long n,
                                  const bicycle_population_sample *samples, bicycle_population_output *outputs, int *status)
 {
+    bicycle_population_state now = *state;
     long i;
     for (i = 0; i < n; ++i)
-        status[i] = bicycle_population_step(config, state, &samples[i], &outputs[i]);
+        status[i] = bicycle_population_advance(config, &now, &samples[i], &outputs[i]);
+    *state = now;
     return n;
 }

@@ -33,19 +33,37 @@ _HEAD = """\
 #define SIMILITUDE_API
 #endif
 #endif
+#ifndef SIMILITUDE_INLINE
+#if defined(__GNUC__)
+#define SIMILITUDE_INLINE static inline __attribute__((always_inline))
+#else
+#define SIMILITUDE_INLINE static inline
+#endif
+#endif
 
 typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
-_BATCH = """\
+# The batch loop advances a state of its own: no write through a pointer can reach it, so the compiler
+# need not write it back after every sample (a fifth of the population filter's time, a third of the paper's).
+_LOOPS = """\
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
+                               const {name}_sample *sample, {name}_output *output)
+{{
+    return {name}_advance(config, state, sample, output);
+}}
+
 /* The step over n samples; the same bits as calling it n times. */
 SIMILITUDE_API long {name}_batch(const {name}_config *config, {name}_state *state, long n,
                                  const {name}_sample *samples, {name}_output *outputs, int *status)
 {{
+    {name}_state now = *state;
     long i;
     for (i = 0; i < n; ++i)
-        status[i] = {name}_step(config, state, &samples[i], &outputs[i]);
+        status[i] = {name}_advance(config, &now, &samples[i], &outputs[i]);
+    *state = now;
     return n;
 }}
 """
@@ -90,7 +108,7 @@ def print_c(program: Program) -> str:
     ]
     for kind in ("config", "state", "sample", "output"):
         parts.append(_struct(name, kind, getattr(program, kind)))
-    parts += [_init(program), _step(program), _BATCH.format(name=name)]
+    parts += [_init(program), _advance(program), _LOOPS.format(name=name)]
     return "\n".join(parts)
 
 
@@ -212,7 +230,7 @@ def _init(program: Program) -> str:
     return "\n".join(lines)
 
 
-def _step(program: Program) -> str:
+def _advance(program: Program) -> str:
     name = program.name
     read, written = names_read(program.step), names_written(program.step)
     outputs = {s.name for f in program.output for s in f.symbols}
@@ -221,9 +239,9 @@ def _step(program: Program) -> str:
     scope = _scope(program, states | outputs | working)
     single = {s.name for f in program.state if f.size == 1 for s in f.symbols}
     lines = [
-        "/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */",
-        f"SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,",
-        f"                               const {name}_sample *sample, {name}_output *output)",
+        "/* What the step and the batch loop do with one sample. */",
+        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
+        f"                                     const {name}_sample *sample, {name}_output *output)",
         "{",
         *_locals(program.config, read, name, "config", "const "),
         *_locals(program.sample, read, name, "sample", "const "),

@@ -24,9 +24,6 @@ from similitude.program.compiler import Compiler, find_compiler, run_compiler
 FLAGS = (
     "-std=c99",
     "-O2",
-    # Both keep more values alive than there are registers: without them a step is 5 % faster.
-    "-fno-gcse",
-    "-fno-tree-pre",
     "-ffp-contract=off",  # no fused multiply-add: host and target agree bit for bit
     "-fvisibility=hidden",
     "-fPIC",
