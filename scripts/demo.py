@@ -15,6 +15,7 @@ import subprocess
 import sys
 
 import numpy as np
+from rich import box
 from rich.console import Console
 from rich.table import Table
 
@@ -98,25 +99,27 @@ def identify(log: pathlib.Path, vehicle: pathlib.Path, console: Console) -> dict
 
 
 def summary_table(answers: dict[str, dict]) -> Table:
-    """One row a log: verdict, K with its interval, and the steer lag that was used."""
-    table = Table(title="similitude on the bundled logs", title_justify="left")
+    """One row a log: verdict, K with its interval, and the steer lag; 80 columns hold it."""
+    table = Table(title="similitude on the bundled logs", title_justify="left", box=box.SIMPLE_HEAD)
     for heading in ("log", "verdict"):
-        table.add_column(heading, no_wrap=True)
-    for heading in ("K [m²/s²]", "95 %", "lag [ms]"):
+        table.add_column(heading, overflow="fold")
+    for heading in ("K m²/s²", "95 %", "lag ms"):
         table.add_column(heading, justify="right", no_wrap=True)
     for name, answer in answers.items():
         k = answer["K"]
-        interval = f"{k['lo']:.3g} … {k['hi']:.3g}"
+        interval = f"{k['lo']:.3g}…{k['hi']:.3g}"
         table.add_row(name, answer["verdict"], f"{k['value']:.3g}", interval, lag(answer))
+    table.caption = "* lag scanned from the log"
+    table.caption_justify = "left"
     return table
 
 
 def lag(answer: dict) -> str:
-    """The steer lag that was used, in ms, with a mark when it was scanned from the log."""
+    """The steer lag that was used, in ms, with a star when it was scanned from the log."""
     found = answer.get("lag") or {}
     if found.get("value") is None:
         return "–"
-    scanned = " scanned" if found.get("from") == "scanned" else ""
+    scanned = "*" if found.get("from") == "scanned" else ""
     return f"{1e3 * found['value']:.0f}{scanned}"
 
 

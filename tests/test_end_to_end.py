@@ -138,7 +138,7 @@ def test_with_a_little_steer_it_is_identified_and_the_plant_is_in_the_interval(a
     # The plant answers the sine alone and the car's own drive stays in: 3 sd, not 1.96.
     sd = a["K"]["std"] / a["K"]["value"]
     assert abs(math.log(a["K"]["value"] / demo.PLANT["K"])) < 3 * sd
-    assert a["prediction"]["rms_rad_s"] < a["prediction"]["kinematic_rms_rad_s"]
+    assert a["prediction"]["rms"]["estimate"] < a["prediction"]["rms"]["kinematic"]
 
 
 def test_the_model_car_s_warning_names_lag_and_steer_scale(answers):

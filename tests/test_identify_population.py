@@ -94,7 +94,7 @@ def assert_rows_are_whole(run, log):
         assert table[name].null_count == 0
         if name != "status":
             assert np.isfinite(table[name].to_numpy()).all(), name
-    for number in (run.K.value, run.K.std, run.K.lo, run.K.hi, *run.pi3.values(), *run.prediction.values()):
+    for number in (run.K.value, run.K.std, run.K.lo, run.K.hi, *run.pi3.values()):
         assert np.isfinite(number)
     for number in (*run.groups.values(), *run.nuisance.values()):
         assert np.isfinite(number.value) and number.std > 0

@@ -115,7 +115,7 @@ def test_the_edges_of_the_population():
 def test_a_group_at_its_limit_is_named():
     found, reason = judged(at_limit=("eta", "rho"))
     assert found == "outside_population"
-    assert "eta, rho" in reason
+    assert "(eta) and the yaw inertia (rho)" in reason
 
 
 def test_a_slow_drive_is_told_from_a_straight_one():

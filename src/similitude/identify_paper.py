@@ -9,6 +9,8 @@ Invariant: a number known to be biased is never called identified.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -62,7 +64,7 @@ def identify_paper(log: Log, vehicle: Vehicle) -> Run:
         verdict=code,
         reason=reason,
         K=K,
-        pi3={"value": trace.pi3[-1], "std": trace.pi3_std[-1], "at_speed": trace.U[-1]},
+        pi3={"value": trace.pi3[-1], "std": trace.pi3_std[-1], "at_speed": speed},
         groups={"K": _group(K.value, K.std, prior)},
         nuisance={},
         lag=scan,
@@ -115,10 +117,15 @@ def _group(value: float, std: float, prior: Prior) -> Group:
     return Group(value, std, mean, mean * float(prior.std[0]), "Caf L/m, pi3 U^2 of the regression")
 
 
-def _one_step(trace: Trace, sample_time: float) -> dict[str, float]:
+def _one_step(trace: Trace, sample_time: float) -> dict[str, Any]:
     fine = np.isfinite(trace.innovation)
-    rms = float(np.sqrt(np.mean(trace.innovation[fine] ** 2))) if fine.any() else 0.0
-    return {"horizon_s": sample_time, "predictions": int(fine.sum()), "rms_rad_s": rms}
+    rms = float(np.sqrt(np.mean(trace.innovation[fine] ** 2))) if fine.any() else None
+    return {
+        "horizon_s": sample_time,
+        "predictions": int(fine.sum()),
+        "unit": "rad/s",
+        "rms": {"estimate": rms},
+    }
 
 
 def _warnings(library: Library, bias: NoiseBias, T: float) -> list[str]:

@@ -5,6 +5,8 @@ Invariant: the verdict is decided on the pass whose numbers are reported.
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 
 from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
@@ -17,6 +19,7 @@ from similitude.prediction import predict_ahead
 from similitude.run import (
     Z95,
     Assumed,
+    Estimate,
     Group,
     Nuisance,
     Run,
@@ -73,12 +76,12 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
             "std": trace.pi3_std[-1],
             "at_speed": float(_seen_speed(trace.U[-1], prior)),
         },
-        groups=_groups(done, prior),
+        groups=_groups(done, prior, K),
         nuisance=_nuisance(done),
         lag=scan,
         prediction=predict_ahead(setup),
         handling=handling(unknowns, done.covariance(list(NAMES)), L=setup.L, U=speed),
-        warnings=(*log.warnings, *_warnings(setup, done, scan, commanded)),
+        warnings=(*log.warnings, *_warnings(setup, scan, commanded, learnt=code != "not_excited")),
         assumed=_assumed(setup, vehicle, prior, noise, scan, commanded),
         Caf=axle_stiffness(vehicle, K),
     )
@@ -146,7 +149,8 @@ def _edges(done: Pass) -> tuple[str, ...]:
     return tuple(name for name, here in zip(NAMES, held_there, strict=True) if here)
 
 
-def _groups(done: Pass, prior: Prior) -> dict[str, Group]:
+def _groups(done: Pass, prior: Prior, K: Estimate) -> dict[str, Group]:
+    """Every unknown at the end of the log; K with what the lag adds to its sd."""
     groups = {}
     std = np.sqrt(np.diag(done.covariance(list(NAMES))))
     for i, name in enumerate(NAMES):
@@ -156,6 +160,7 @@ def _groups(done: Pass, prior: Prior) -> dict[str, Group]:
         groups[name] = Group(
             value, now * std[i], float(prior.mean[i]), float(scale * prior.std[i]), MEANING[name]
         )
+    groups["K"] = dataclasses.replace(groups["K"], std=K.std)
     return groups
 
 
@@ -173,7 +178,7 @@ def _nuisance(done: Pass) -> dict[str, Nuisance]:
     }
 
 
-def _warnings(setup: Setup, done: Pass, scan: LagScan, commanded: bool) -> list[str]:
+def _warnings(setup: Setup, scan: LagScan, commanded: bool, *, learnt: bool) -> list[str]:
     lines = []
     if setup.library.why_slow:
         lines.append(f"running the scalar Python twin, {setup.library.why_slow}")
@@ -182,8 +187,8 @@ def _warnings(setup: Setup, done: Pass, scan: LagScan, commanded: bool) -> list[
             f"the steer acts {1000 * scan.chosen:.0f} ms after its column says so: it looks like a command, "
             "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
         )
-    slope = _scale_slope(setup)
-    if np.isfinite(slope) and done.value("information") > 0:
+    if learnt:
+        slope = _scale_slope(setup)
         lines.append(
             f"K and steer scale trade: were the steer angle 5 % larger than logged, "
             f"K would read {100 * slope:+.0f} %"

@@ -6,6 +6,8 @@ nothing is simulated a second way.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,7 +17,7 @@ HORIZON = 1.0  # s
 FROZEN = {"excitation_ratio": 1e30, "idle_drift": 0.0, "drift": 0.0}  # groups held, biases follow
 
 
-def predict_ahead(setup: Setup) -> dict[str, float]:
+def predict_ahead(setup: Setup) -> dict[str, Any]:
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
     Against the frozen averages of the population (with offset and bias followed) and the
@@ -23,24 +25,27 @@ def predict_ahead(setup: Setup) -> dict[str, float]:
 
     Returns
     -------
-    dict    ``horizon_s``, ``predictions``, ``rms_rad_s``, ``frozen_rms_rad_s``,
-            ``kinematic_rms_rad_s``, ``ratio_to_frozen``; zeros where nothing could be judged.
+    dict    ``horizon_s``, ``predictions`` (how many were judged), ``unit``, ``rms`` by what
+            predicted (``estimate``, ``frozen_averages``, ``kinematic``) and ``ratio_to_frozen``;
+            None where nothing could be judged.
     """
     own, measured, kinematic = _ahead(setup, setup.config())
     frozen, _, _ = _ahead(setup, setup.config(**FROZEN))
     fine = np.isfinite(own) & np.isfinite(frozen) & np.isfinite(measured) & np.isfinite(kinematic)
-    rms = [
-        float(np.sqrt(np.mean((x[fine] - measured[fine]) ** 2))) if fine.any() else 0.0
-        for x in (own, frozen, kinematic)
-    ]
+    predicted = {"estimate": own, "frozen_averages": frozen, "kinematic": kinematic}
+    rms = {name: _rms((x - measured)[fine]) for name, x in predicted.items()}
+    judged = bool(fine.any()) and rms["frozen_averages"] > 0
     return {
         "horizon_s": HORIZON,
         "predictions": int(fine.sum()),
-        "rms_rad_s": rms[0],
-        "frozen_rms_rad_s": rms[1],
-        "kinematic_rms_rad_s": rms[2],
-        "ratio_to_frozen": rms[0] / rms[1] if rms[1] > 0 else 1.0,
+        "unit": "rad/s",
+        "rms": rms,
+        "ratio_to_frozen": rms["estimate"] / rms["frozen_averages"] if judged else None,
     }
+
+
+def _rms(errors: NDArray[np.float64]) -> float | None:
+    return float(np.sqrt(np.mean(errors**2))) if errors.size else None
 
 
 def _ahead(

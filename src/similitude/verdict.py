@@ -31,6 +31,11 @@ REJECTED_SHARE = 0.20
 OUTSIDE_SHARE = 0.50  # of the information, beyond the linear range
 CONTRADICTION = 25.0  # noise variance against what the sensor explains: five sd for one
 POPULATION_SD = 2.5
+WORDS = {
+    "pi1": "the centre of gravity (pi1)",
+    "eta": "the rear axle's stiffness against the front's (eta)",
+    "rho": "the yaw inertia (rho)",
+}
 ROAD_ROOM = np.log(4.0)  # ln K may lie this much further down: ice is a road too
 
 
@@ -119,9 +124,10 @@ def _not_excited(e: Evidence, sd: str, slow: float) -> str:
 
 def _outside_population(e: Evidence) -> str:
     if e.at_limit:
+        which = " and ".join(WORDS.get(name, name) for name in e.at_limit)
         return (
-            f"{', '.join(e.at_limit)} ended at the edge of what the population allows; a wrong wheelbase, "
-            "steering ratio or population is the usual cause."
+            f"{which[:1].upper()}{which[1:]} ended at the edge of what the population allows; a wrong "
+            "wheelbase, steering ratio or population is the usual cause."
         )
     return (
         f"K is {np.exp(e.ln_K_away):.3g} times the population's, further than its spread allows; the "

@@ -87,7 +87,10 @@ def example_run(
         K=_estimate(K[-1], ln_K_std[-1], "m^2/s^2"),
         pi3={"value": float(pi3[-1]), "std": float(pi3[-1] * ln_K_std[-1]), "at_speed": 25.0},
         groups=_groups(K[-1], ln_K_std[-1]), nuisance=_nuisance(), lag=lag, alarms=(),
-        prediction={"horizon_s": 1.0, "rms": 0.0041, "rms_population": 0.0063, "ratio": 0.65},
+        prediction={
+            "horizon_s": 1.0, "predictions": 118, "unit": "rad/s",
+            "rms": {"estimate": 0.0041, "frozen_averages": 0.0063}, "ratio_to_frozen": 0.65,
+        },
         handling=_handling(),
         warnings=("a gap of 1.8 s at t = 18.0 s: the vehicle's motion was started anew there",
                   "12 samples (0.2 %) of r have no value: counted as no measurement"),

@@ -51,7 +51,7 @@ def test_a_number_that_is_not_finite_is_null_wherever_it_sits(example_run, bad):
     run = example_run(500)
     run.K.std = bad
     run.groups["eta"].std = bad
-    run.prediction["rms"] = bad
+    run.prediction["rms"]["estimate"] = bad
     run.handling["yaw_rate_gain"]["hi"] = bad
     run.pi3["std"] = bad
     run.lag.cost = np.array([1.0, float(bad), 2.0])
@@ -60,7 +60,7 @@ def test_a_number_that_is_not_finite_is_null_wherever_it_sits(example_run, bad):
     record = json.loads(line, parse_constant=_refuse)
     assert record["K"]["std"] is None
     assert record["groups"]["eta"]["std"] is None
-    assert record["prediction"]["rms"] is None
+    assert record["prediction"]["rms"]["estimate"] is None
     assert record["handling"]["yaw_rate_gain"]["hi"] is None
     assert record["lag"]["cost"] == [1.0, None, 2.0]
     assert record["assumed"]["L"]["value"] is None

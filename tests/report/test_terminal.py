@@ -54,7 +54,7 @@ def test_every_verdict_is_printed_in_words(example_run, verdicts):
 def test_a_value_that_is_not_finite_is_a_dash(example_run):
     run = example_run(200)
     run.K.value = run.K.std = run.K.lo = run.K.hi = np.nan
-    run.prediction["rms"] = None
+    run.prediction["rms"]["estimate"] = None
     run.pi3["std"] = np.inf
     assert "nan" not in _page(run).lower()
 

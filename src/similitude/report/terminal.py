@@ -6,6 +6,7 @@ came from.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -35,6 +36,11 @@ VERDICT_STYLES = {
     "outside_population": "bold white on purple4",
     "bad_data": "bold white on dark_red",
     "diverged": "bold white on dark_red",
+}
+PREDICTORS = {
+    "estimate": "the estimate of that moment",
+    "frozen_averages": "the average vehicle, offset and bias followed",
+    "kinematic": "U δ / L, tyres that do not slip",
 }
 HEADING, QUIET, VALUE = "bold cyan", "dim", "bold"
 
@@ -146,15 +152,20 @@ def _groups(run: Run) -> Table:
     for title in ("", "now", "population", "narrower", "meaning"):
         table.add_column(title, header_style=QUIET)
     for name, group in run.groups.items():
-        known = 1.0 - group.std / group.prior_std if group.prior_std > 0 else 0.0
+        narrower = 1.0 - _relative(group.std, group.value) / _relative(group.prior_std, group.prior_value)
         table.add_row(
             Text(pretty_name(name)),
             _plus_minus(*uncertain(group.value, group.std), ""),
             _plus_minus(*uncertain(group.prior_value, group.prior_std), "", style=""),
-            Text(f"{100 * max(known, 0.0):.0f} %", justify="right"),
+            Text(f"{100 * max(narrower, 0.0):.0f} %", justify="right"),
             Text(group.meaning, style=QUIET),
         )
     return table
+
+
+def _relative(std: float, value: float) -> float:
+    """An sd against its value, for groups whose logarithm is what is learnt."""
+    return std / abs(value) if value else math.inf
 
 
 def _nuisance(run: Run) -> Table:
@@ -164,14 +175,17 @@ def _nuisance(run: Run) -> Table:
     return table
 
 
-def _prediction(prediction: Mapping) -> Text:
-    """The horizon first, then each number under its own name."""
-    text = Text(f"over {plain(prediction['horizon_s'], 2)} s", style=QUIET)
-    for name, value in prediction.items():
-        if name != "horizon_s":
-            shown = plain(value) if isinstance(value, int | float) else "–"
-            text.append(f"   {pretty_name(name)} ").append(shown, style=VALUE)
-    return text
+def _prediction(prediction: Mapping) -> Table:
+    """Error of the yaw rate predicted over the horizon, a row for each that predicted."""
+    table = _grid(header=True)
+    horizon = f"rms error {plain(prediction['horizon_s'], 2)} s ahead"
+    for title in ("", horizon, f"{prediction['predictions']} times"):
+        table.add_column(title, header_style=QUIET)
+    for name, rms in prediction["rms"].items():
+        value, unit = (None, "") if rms is None else for_people(rms, prediction["unit"])
+        shown = Text("–") if value is None else Text(f"{plain(value)} {pretty_unit(unit)}", style=VALUE)
+        table.add_row(Text(pretty_name(name)), shown, Text(PREDICTORS.get(name, ""), style=QUIET))
+    return table
 
 
 def _assumed(run: Run) -> Table:
