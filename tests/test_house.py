@@ -21,7 +21,7 @@ FLOW = (
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
-    "readers log_quantities log_columns log_checks log_plausibility log",
+    "finding readers log_quantities log_columns log_checks log_plausibility log",
     "vehicle_prior filter_config filter_run steer_lag",
     "run verdict prediction handling",
     "identify_population identify_paper",
