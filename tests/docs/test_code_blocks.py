@@ -54,12 +54,12 @@ def paste(tmp_path):
     return run
 
 
-@pytest.mark.parametrize("block", blocks(PAGES, "python"))
+@pytest.mark.parametrize("block", list(blocks(PAGES, "python")))
 def test_a_python_block_runs_by_itself(paste, block):
     paste([sys.executable, "-c", block])
 
 
-@pytest.mark.parametrize("block", blocks(PAGES, "console", "bash"))
+@pytest.mark.parametrize("block", list(blocks(PAGES, "console", "bash")))
 def test_the_commands_of_a_block_run(paste, block):
     for command in commands(block):
         paste(command)
