@@ -1,13 +1,20 @@
-"""The made-up run for the tests of the report, loaded by its path: tests are no package."""
+"""The made-up run and the strict reader of HTML, loaded by their path: tests are no package."""
 
 import importlib.util
 from pathlib import Path
 
 import pytest
 
-_spec = importlib.util.spec_from_file_location("report_example_run", Path(__file__).parent / "example_run.py")
-_module = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(_module)
+
+def _beside(name):
+    """A module of this folder."""
+    spec = importlib.util.spec_from_file_location(f"report_{name}", Path(__file__).parent / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+_module = _beside("example_run")
 
 
 @pytest.fixture
@@ -20,3 +27,9 @@ def example_run():
 def verdicts():
     """Every verdict there is."""
     return tuple(_module.REASONS)
+
+
+@pytest.fixture(scope="session")
+def strict_html():
+    """The reader `strict_html(source)`; it fails where a page is not well formed."""
+    return _beside("strict_html").Page
