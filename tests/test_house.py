@@ -25,7 +25,7 @@ FLOW = (
     "vehicle_prior filter_config filter_run steer_lag",
     "run verdict prediction handling",
     "identify_population identify_paper",
-    "identification",
+    "distance_sampling identification",
     "report",
     "simulate systems generate",
     "cli_usage cli",

@@ -5,13 +5,18 @@ Invariant: an estimator is imported when it is asked for, so none pays for anoth
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from similitude.errors import UsageError
 from similitude.log import Log
-from similitude.run import Run
+from similitude.run import Assumed, Run
 from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import wheelbase
 
 
-def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Run:
+def identify(
+    log: Log, vehicle: Vehicle, *, estimator: str = "population", spacing: float | None = None
+) -> Run:
     """Identify the tyre stiffness of a vehicle from a log.
 
     Parameters
@@ -19,6 +24,8 @@ def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Ru
     log : Log            t [s], delta [rad], r [rad/s], U [m/s].
     vehicle : Vehicle    with a wheelbase.
     estimator : ``population`` (default) or ``paper``.
+    spacing : float      estimate from rows at equal distances of so many metres instead of from
+                         those of the log; the Run still has one row for each row of the log.
 
     Returns
     -------
@@ -26,12 +33,15 @@ def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Ru
 
     Raises
     ------
-    UsageError           the wheelbase is missing or the estimator has another name.
+    UsageError           the wheelbase is missing, the estimator has another name, or the spacing
+                         does not suit the wheelbase, the log or the estimator.
 
     References
     ----------
     Brennan & Alleyne 2004 for the method; docs/identify.md for what the numbers mean.
     """
+    if spacing is not None:
+        return _by_distance(log, vehicle, estimator, spacing)
     if estimator == "population":
         from similitude.identify_population import identify_population
 
@@ -46,3 +56,20 @@ def identify(log: Log, vehicle: Vehicle, *, estimator: str = "population") -> Ru
         paste='identify(log, vehicle, estimator="population")',
         read='docs/identify.md, "Estimators"',
     )
+
+
+def _by_distance(log: Log, vehicle: Vehicle, estimator: str, spacing: float) -> Run:
+    """The same on rows at equal distances, told at the rows of the log."""
+    from similitude.distance_sampling import at_rows_of, by_distance
+
+    if estimator == "paper":
+        raise UsageError(
+            "the paper's regression is given rows at equal times only; a spacing was asked for",
+            usually="its high-pass filters are designed in Hz; the population filter takes either.",
+            paste='identify(log, vehicle, spacing=0.4, estimator="population")',
+            read='docs/logs.md, "Sampling by distance"',
+        )
+    rows = by_distance(log, spacing, wheelbase=wheelbase(vehicle))
+    run = identify(rows, vehicle, estimator=estimator)
+    assumed = {**run.assumed, "spacing": Assumed(spacing, "m", "the call: a row for each such distance")}
+    return at_rows_of(replace(run, assumed=assumed), log)

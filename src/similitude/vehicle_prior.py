@@ -52,15 +52,8 @@ def vehicle_prior(vehicle: Vehicle) -> Prior:
     ------
     UsageError           the wheelbase is not known.
     """
-    if vehicle.L is None:
-        raise UsageError(
-            f"vehicle {vehicle.name!r} has no wheelbase L [m]",
-            usually="it was left out together with the mass; the mass cancels, L does not.",
-            paste='L = "2.69 m"',
-            read='docs/vehicle.md, "The vehicle file"',
-        )
+    L = wheelbase(vehicle)
     prior = _population(vehicle)
-    L = vehicle.L.value
     if vehicle.a is not None:
         std = (vehicle.a.sd / L) if vehicle.a.sd else FILE_SD_PI1
         prior = prior.known("pi1", vehicle.a.value / L, std, "a / L of the vehicle file")
@@ -79,6 +72,23 @@ def vehicle_prior(vehicle: Vehicle) -> Prior:
         std = math.hypot(_stated(vehicle.Caf, axle), _stated(vehicle.Car, axle))
         prior = prior.observe("eta", eta, std, "population and Car b/(Caf a) of the vehicle file")
     return prior
+
+
+def wheelbase(vehicle: Vehicle) -> float:
+    """The wheelbase L [m], without which nothing can be identified.
+
+    Raises
+    ------
+    UsageError           the vehicle has none.
+    """
+    if vehicle.L is None:
+        raise UsageError(
+            f"vehicle {vehicle.name!r} has no wheelbase L [m]",
+            usually="it was left out together with the mass; the mass cancels, L does not.",
+            paste='L = "2.69 m"',
+            read='docs/vehicle.md, "The vehicle file"',
+        )
+    return vehicle.L.value
 
 
 def _stated(given: Uncertain, otherwise: float) -> float:
