@@ -1,8 +1,10 @@
 """Which column is which: aliases, ``--map``, and everything that is refused."""
 
+import re
+
 import pytest
 
-from similitude.errors import LogError, SimilitudeError, UnitError, UsageError
+from similitude.errors import LogError, UnitError, UsageError
 from similitude.log_columns import choose_columns
 from similitude.log_quantities import QUANTITIES
 
@@ -10,7 +12,9 @@ GOOD = ("t [s]", "delta [rad]", "r [rad/s]", "U [m/s]")
 
 
 def choose(*headers, **mapping):
-    return choose_columns(headers, file="drive.csv", mapping=mapping)
+    columns, findings = choose_columns(headers, file="drive.csv", mapping=mapping)
+    assert findings == []
+    return columns
 
 
 @pytest.mark.parametrize(
@@ -125,13 +129,37 @@ REFUSED = {
 def test_a_doubtful_header_is_refused_with_the_line_to_write(case):
     headers, mapping, kind, what, paste = REFUSED[case]
 
-    with pytest.raises(SimilitudeError, match=what) as caught:
-        choose(*headers, **mapping)
+    if kind is UsageError:
+        with pytest.raises(UsageError, match=what) as caught:
+            choose_columns(headers, file="drive.csv", mapping=mapping)
+        error = caught.value
+    else:
+        _, findings = choose_columns(headers, file="drive.csv", mapping=mapping)
+        assert findings[0].certain
+        error = findings[0].error
 
-    error = caught.value
+    assert re.search(what, str(error))
     assert type(error) is kind
     assert error.paste.startswith(paste)
     assert all([error.usually, error.read])
+
+
+def test_every_fault_of_a_header_is_said_and_the_sound_columns_are_chosen():
+    headers = ("t [s]", "delta [rad]", "delta [deg]", "r", "U [m/s]")
+
+    columns, findings = choose_columns(headers, file="drive.csv", mapping={})
+
+    assert [one.fault for one in findings] == ["two_columns", "no_unit"]
+    assert columns.keys() == {"t", "U"}
+
+
+def test_a_clock_needs_no_unit():
+    columns, findings = choose_columns(
+        ("timestamp", *GOOD[1:]), file="drive.csv", mapping={}, is_clock=lambda position: position == 0
+    )
+
+    assert findings == []
+    assert columns["t"].unit.factor == 1.0
 
 
 def test_g_on_an_acceleration_is_standard_gravity_and_one_is_a_radian():

@@ -28,15 +28,18 @@ class SimilitudeError(Exception):
         One line to paste: a header, a line of a vehicle file, a command.
     read : str
         Where to read more, such as ``docs/logs.md, "Columns"``.
+    fault : str
+        Short name of the fault, where docs/logs.md lists it: ``no_unit``.
 
     Attributes
     ----------
-    what, usually, paste, read : str
-        The four parts, unchanged.
+    what, usually, paste, read, fault : str
+        The parts, unchanged.
     """
 
-    def __init__(self, what: str, *, usually: str, paste: str, read: str) -> None:
+    def __init__(self, what: str, *, usually: str, paste: str, read: str, fault: str = "") -> None:
         super().__init__(what)
+        self.fault = fault
         self.what = what
         self.usually = usually
         self.paste = paste
@@ -54,7 +57,7 @@ class SimilitudeError(Exception):
     def __reduce__(self):
         # Keyword-only arguments defeat the default pickling of exceptions; worker processes
         # of a fleet hand errors back pickled.
-        return (_rebuild, (type(self), self.what, self.usually, self.paste, self.read))
+        return (_rebuild, (type(self), self.what, self.usually, self.paste, self.read, self.fault))
 
 
 def shown(text: object, *, longest: int = 60) -> str:
@@ -65,8 +68,8 @@ def shown(text: object, *, longest: int = 60) -> str:
     return "'" + "".join(c if c.isprintable() else repr(c)[1:-1] for c in plain) + "'"
 
 
-def _rebuild(kind: type[SimilitudeError], what: str, usually: str, paste: str, read: str):
-    return kind(what, usually=usually, paste=paste, read=read)
+def _rebuild(kind: type[SimilitudeError], what: str, usually: str, paste: str, read: str, fault: str):
+    return kind(what, usually=usually, paste=paste, read=read, fault=fault)
 
 
 class UnitError(SimilitudeError):

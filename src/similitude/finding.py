@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from similitude.errors import LogError
+from similitude.errors import LogError, SimilitudeError
 
 
 @dataclass(frozen=True)
@@ -24,6 +24,7 @@ class Finding:
     value : float or None         the number that gave it away
     rows : (int, int) or None     first and last data row concerned, counted from 1
     fix : str or None             name of the repair that ``--fix`` applies, where there is one
+    kind : type                   the error it becomes: LogError, or UnitError
     """
 
     fault: str
@@ -36,13 +37,29 @@ class Finding:
     value: float | None = None
     rows: tuple[int, int] | None = None
     fix: str | None = None
+    kind: type[SimilitudeError] = LogError
 
     @property
-    def error(self) -> LogError:
+    def error(self) -> SimilitudeError:
         """The finding as the error that refuses the log."""
-        return LogError(self.what, usually=self.usually, paste=self.paste, read=self.read)
+        return self.kind(self.what, usually=self.usually, paste=self.paste, read=self.read, fault=self.fault)
 
     @property
     def warning(self) -> str:
         """The finding as one line of a warning."""
         return f"{self.what}; usually {self.usually.rstrip('.')}"
+
+
+def refusal(error: SimilitudeError, *, column: str = "", fix: str | None = None) -> Finding:
+    """Return the finding of an error: certain, and with the error's own parts."""
+    return Finding(
+        error.fault,
+        certain=True,
+        what=error.what,
+        usually=error.usually,
+        paste=error.paste if fix is None else f"--fix {fix}",
+        read=error.read,
+        column=column,
+        fix=fix,
+        kind=type(error),
+    )

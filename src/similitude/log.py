@@ -2,7 +2,7 @@
 
 Invariant: a `Log` has rising finite time, at least 20 rows and 2 s, values that can be in the
 unit their header claimed, and float64 columns of one length with NaN, never inf, where a cell is
-missing. No value was changed, filled in or converted by guess.
+missing. No value was changed, filled in or converted unless a repair was asked for by name.
 
     t time [s];  delta road wheel angle [rad];  r yaw rate [rad/s];  U speed [m/s];
     ay lateral acceleration [m/s^2]
@@ -10,21 +10,15 @@ missing. No value was changed, filled in or converted by guess.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 
-from similitude.errors import LogError, shown
-from similitude.log_checks import check_column, check_time
-from similitude.log_columns import Column, choose_columns
-from similitude.log_plausibility import check_against_steer, check_units, speed_warnings
-from similitude.readers import open_table
+from similitude.finding import Finding
+from similitude.log_survey import NOTHING, survey
 from similitude.vehicle_file import Vehicle
-
-_NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +36,9 @@ class Log:
     ay : (n,) float64 or None    lateral acceleration [m/s^2]
     sources : dict of str to str column -> where it comes from, such as
                                  ``"steering_wheel [deg] / 15.3"``
-    warnings : tuple of str      what is odd about the log
+    warnings : tuple of str      what is odd about the log, in words
+    findings : tuple of Finding  the same with row, column and number
+    fixes : tuple of str         what was changed, for each repair asked for
     """
 
     name: str
@@ -54,6 +50,8 @@ class Log:
     ay: np.ndarray | None
     sources: dict[str, str]
     warnings: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    fixes: tuple[str, ...] = ()
 
     @property
     def samples(self) -> int:
@@ -71,23 +69,23 @@ class Log:
         return float(1.0 / np.median(np.diff(self.t)))
 
 
-# Damaged bytes give numbers near 1e308 and signalling NaNs; what becomes of them is judged below.
-@np.errstate(over="ignore", invalid="ignore")
 def read_log(
     path: str | Path,
     *,
     vehicle: Vehicle | None = None,
-    mapping: Mapping[str, str] = _NOTHING,
+    mapping: Mapping[str, str] = NOTHING,
+    fixes: Sequence[str] = (),
 ) -> Log:
     """Read a CSV or Parquet log and check it.
 
     Parameters
     ----------
-    path : str or Path    columns ``t``, ``delta`` or ``steering_wheel``, ``r``, ``U`` and
-                          optionally ``ay`` (or their aliases), each as ``name [unit]``
-    vehicle : Vehicle     needed for ``steering_wheel`` (its `steering_ratio`); its wheelbase
-                          lets the yaw rate be compared with the steer
-    mapping : mapping     quantity -> column, where names differ: ``{"delta": "SWA"}``
+    path : str or Path         columns ``t``, ``delta`` or ``steering_wheel``, ``r``, ``U`` and
+                               optionally ``ay`` (or their aliases), each as ``name [unit]``
+    vehicle : Vehicle          needed for ``steering_wheel`` (its `steering_ratio`); its wheelbase
+                               lets the yaw rate be compared with the steer
+    mapping : mapping          quantity -> column, where names differ: ``{"delta": "SWA"}``
+    fixes : sequence of str    repairs to make, by name; docs/logs.md lists them
 
     Returns
     -------
@@ -95,77 +93,24 @@ def read_log(
 
     Raises
     ------
-    LogError    the file cannot be read, a column is missing or doubled, or its values cannot be
+    LogError    the first certain fault that `survey` finds
     UnitError   a used column has no unit, an unknown one, or one of the wrong dimension
-    UsageError  `mapping` names no quantity
+    UsageError  `mapping` names no quantity, or `fixes` no repair
     """
-    path = Path(path)
-    table = open_table(path)
-    columns = choose_columns(table.headers, file=path.name, mapping=mapping)
-    loaded = table.load([column.position for column in columns.values()])
-    values = {
-        name: _in_si(raw, column) for (name, column), raw in zip(columns.items(), loaded.columns, strict=True)
-    }
-    warnings = [*table.warnings, *loaded.warnings]
-    time = columns["t"]
-    warnings += check_time(values["t"], header=time.header, factor=time.unit.factor, file=path.name)
-    for name in [name for name in values if name not in ("t", "ay")]:
-        header = columns[name].header
-        warnings += check_column(values[name], header=header, file=path.name, may_rest=name == "U")
-    warnings += _drop_useless_ay(values, columns, path.name)
-    check_units(values, columns, file=path.name)
-    warnings += speed_warnings(values["U"])
-    sources = {name: _source(column) for name, column in columns.items() if name in values}
-    if "steering_wheel" in values:
-        ratio = _steering_ratio(columns["steering_wheel"], vehicle, path.name)
-        values["delta"] = values.pop("steering_wheel") / ratio
-        sources["delta"] = f"{sources.pop('steering_wheel')} / {ratio:.6g}"
-    if vehicle is not None and vehicle.L is not None:
-        warnings += check_against_steer(values, columns, wheelbase=vehicle.L.value, file=path.name)
+    seen = survey(path, vehicle=vehicle, mapping=mapping, fixes=fixes)
+    if seen.certain:
+        raise seen.certain[0].error
+    values = seen.values
     return Log(
-        name=path.stem,
-        path=path,
+        name=seen.name,
+        path=seen.path,
         t=values["t"],
         delta=values["delta"],
         r=values["r"],
         U=values["U"],
         ay=values.get("ay"),
-        sources=sources,
-        warnings=tuple(warnings),
+        sources=seen.sources,
+        warnings=tuple(one.warning for one in seen.findings),
+        findings=seen.findings,
+        fixes=seen.fixes,
     )
-
-
-def _in_si(raw: np.ndarray, column: Column) -> np.ndarray:
-    values = raw * column.unit.factor
-    values[~np.isfinite(values)] = np.nan
-    return values
-
-
-def _drop_useless_ay(
-    values: dict[str, np.ndarray], columns: Mapping[str, Column], file: str
-) -> tuple[str, ...]:
-    # The only optional column: a bad one is left out and said, instead of refusing the log.
-    if "ay" not in values:
-        return ()
-    try:
-        return check_column(values["ay"], header=columns["ay"].header, file=file, may_rest=False)
-    except LogError as error:
-        del values["ay"]
-        return (f"{error.what}; lateral acceleration is not used",)
-
-
-def _steering_ratio(column: Column, vehicle: Vehicle | None, file: str) -> float:
-    if vehicle is not None and vehicle.steering_ratio is not None:
-        return vehicle.steering_ratio.value
-    lacks = "no vehicle file is given" if vehicle is None else "the vehicle file states none"
-    raise LogError(
-        f"column {shown(column.header)} of {file} is the angle of the steering wheel; the steering "
-        f"ratio is needed, and {lacks}",
-        usually="the line is still missing in the vehicle file; 12 to 20 on a car.",
-        paste="steering_ratio = 15.3",
-        read='docs/vehicle.md, "The vehicle file"',
-    )
-
-
-def _source(column: Column) -> str:
-    return f"{column.header} (--map)" if column.mapped else column.header

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from similitude.dimension import ACCELERATION
 from similitude.errors import LogError, UnitError, UsageError, shown
+from similitude.finding import Finding, refusal
 from similitude.log_quantities import AMBIGUOUS, QUANTITIES, STEER, normal_name, split_header
 from similitude.units import Unit, parse_unit
 
@@ -32,7 +33,18 @@ class Column:
     mapped: bool
 
 
-def choose_columns(headers: Sequence[str], *, file: str, mapping: Mapping[str, str]) -> dict[str, Column]:
+def column_of(name: str, columns: Mapping[str, Column]) -> Column:
+    """Return the column a quantity comes from; that of the road wheel may be the steering wheel's."""
+    return columns["steering_wheel"] if name == "delta" and name not in columns else columns[name]
+
+
+def choose_columns(
+    headers: Sequence[str],
+    *,
+    file: str,
+    mapping: Mapping[str, str],
+    is_clock: Callable[[int], bool] = lambda position: False,
+) -> tuple[dict[str, Column], list[Finding]]:
     """Find the column of each quantity.
 
     Parameters
@@ -40,19 +52,43 @@ def choose_columns(headers: Sequence[str], *, file: str, mapping: Mapping[str, s
     headers : sequence of str   as written in the file, ``name [unit]``
     file : str                  name of the file, for messages
     mapping : mapping           quantity -> column, as its full header or its name without unit
+    is_clock : callable         position -> whether the cells are dates with a time of day, which
+                                need no unit
 
     Returns
     -------
-    dict of str to Column       t, r, U and one of delta and steering_wheel; ay where present
+    dict of str to Column       t, r, U and one of delta and steering_wheel; ay where present;
+                                without those that findings speak of
+    list of Finding             a column is missing; two match one quantity; a used column has no
+                                unit, an unknown one or one of the wrong dimension
 
     Raises
     ------
-    LogError    a column is missing, or two match one quantity
-    UnitError   a used column has no unit, an unknown one or one of the wrong dimension
-    UsageError  a mapping names no quantity
+    UsageError                  a mapping names no quantity
     """
-    found = _mapped(headers, file, mapping)
-    stated = set(found)
+    findings: list[Finding] = []
+    found = _mapped(headers, file, mapping, findings)
+    stated = {_quantity_of(key) for key in mapping}
+    doubtful = (stated - found.keys()) | _find_by_name(headers, file, stated, found, findings)
+    if "delta" in found and "steering_wheel" in found:
+        both = [found["delta"][1], found["steering_wheel"][1]]
+        findings.append(refusal(_two(file, "steer", "delta", "steering_wheel", both)))
+    findings += _missing(headers, file, found, doubtful)
+    columns = {}
+    for name, (position, header) in found.items():
+        try:
+            unit = parse_unit("s") if name == "t" and is_clock(position) else _unit(name, header, file)
+            columns[name] = Column(position, headers[position], unit, name in stated)
+        except UnitError as error:
+            findings.append(refusal(error, column=header))
+    return columns, findings
+
+
+def _find_by_name(
+    headers: Sequence[str], file: str, stated: set[str], found: dict, findings: list[Finding]
+) -> set[str]:
+    """Add to `found` what goes by a known name; return the names for which there are two."""
+    doubled = set()
     taken = {position for position, _ in found.values()}
     for name, quantity in QUANTITIES.items():
         if name in stated or (name in STEER and STEER & stated):
@@ -63,20 +99,15 @@ def choose_columns(headers: Sequence[str], *, file: str, mapping: Mapping[str, s
             if position not in taken and normal_name(split_header(header)[0]) in quantity.aliases
         ]
         if len(matches) > 1:
-            raise _two(file, quantity.words, name, name, [headers[one] for one in matches[:2]])
-        if matches:
+            two = [headers[one] for one in matches[:2]]
+            findings.append(refusal(_two(file, quantity.words, name, name, two), column=two[0]))
+            doubled.add(name)
+        elif matches:
             found[name] = (matches[0], headers[matches[0]])
-    if "delta" in found and "steering_wheel" in found:
-        both = [found["delta"][1], found["steering_wheel"][1]]
-        raise _two(file, "steer", "delta", "steering_wheel", both)
-    _refuse_missing(headers, file, found)
-    return {
-        name: Column(position, headers[position], _unit(name, header, file), name in stated)
-        for name, (position, header) in found.items()
-    }
+    return doubled
 
 
-def _quantity(key: str) -> str:
+def _quantity_of(key: str) -> str:
     for name in QUANTITIES:
         if key.casefold() == name.casefold():
             return name
@@ -89,10 +120,12 @@ def _quantity(key: str) -> str:
     )
 
 
-def _mapped(headers: Sequence[str], file: str, mapping: Mapping[str, str]) -> dict[str, tuple[int, str]]:
+def _mapped(
+    headers: Sequence[str], file: str, mapping: Mapping[str, str], findings: list[Finding]
+) -> dict[str, tuple[int, str]]:
     found = {}
     for key, wanted in mapping.items():
-        name, wanted = _quantity(key), wanted.strip()
+        name, wanted = _quantity_of(key), wanted.strip()
         matches = [at for at, header in enumerate(headers) if header.strip() == wanted]
         matches = matches or [at for at, header in enumerate(headers) if split_header(header)[0] == wanted]
         header = headers[matches[0]] if matches else wanted
@@ -102,7 +135,8 @@ def _mapped(headers: Sequence[str], file: str, mapping: Mapping[str, str]) -> di
             matches = [at for at, header in enumerate(headers) if header.strip() == bare]
             header = wanted
         if len(matches) != 1:
-            raise _no_such_column(headers, file, key, wanted, len(matches))
+            findings.append(refusal(_no_such_column(headers, file, key, wanted, len(matches))))
+            continue
         found[name] = (matches[0], header)
     return found
 
@@ -117,6 +151,7 @@ def _no_such_column(headers: Sequence[str], file: str, key: str, wanted: str, co
         else "it is a matter of spelling; upper and lower case differ.",
         paste=f'--map "{key}={split_header(near[0])[0]}"',
         read=READ,
+        fault="no_such_column",
     )
 
 
@@ -130,43 +165,47 @@ def _two(file: str, words: str, first: str, second: str, headers: Sequence[str])
         usually="one is raw and one is computed; say which to use.",
         paste=f'--map "{first}={column}"',
         read=READ,
+        fault="two_columns",
     )
 
 
-def _refuse_missing(headers: Sequence[str], file: str, found: Mapping) -> None:
-    missing = [name for name in ("t", "r", "U") if name not in found]
-    if "delta" not in found and "steering_wheel" not in found:
+def _missing(headers: Sequence[str], file: str, found: Mapping, doubtful: set[str]) -> list[Finding]:
+    missing = [name for name in ("t", "r", "U") if name not in found.keys() | doubtful]
+    if not STEER & (found.keys() | doubtful):
         missing.insert(1 if "t" in missing else 0, "delta")
     if not missing:
-        return
+        return []
+    names = " and ".join(f"'{name}' ({QUANTITIES[name].words})" for name in missing)
+    usually, paste = _other_name(headers, found, missing)
+    error = LogError(
+        f"{file} has no column for {names}; its columns are {_listed(headers)}",
+        usually=usually,
+        paste=paste,
+        read=READ,
+        fault="missing_column",
+    )
+    return [refusal(error)]
+
+
+def _other_name(headers: Sequence[str], found: Mapping, missing: list[str]) -> tuple[str, str]:
+    """What usually hides a missing column, and the line to paste."""
     first = missing[0]
     unclear = [one for one in headers if normal_name(split_header(one)[0]) in AMBIGUOUS]
-    names = " and ".join(f"'{name}' ({QUANTITIES[name].words})" for name in missing)
-    what = f"{file} has no column for {names}; its columns are {_listed(headers)}"
     if "delta" in missing and unclear:
         column = split_header(unclear[0])[0]
-        raise LogError(
-            what,
-            usually=f"{shown(column)} is the steering wheel; if it is the road wheel, map delta.",
-            paste=f'--map "steering_wheel={column}"',
-            read=READ,
+        return (
+            f"{shown(column)} is the steering wheel; if it is the road wheel, map delta.",
+            f'--map "steering_wheel={column}"',
         )
     if not found:
-        raise LogError(
-            what,
-            usually="the file is no driving log, or its header is not in its first line.",
-            paste=",".join(f"{name} [{QUANTITIES[name].si}]" for name in ("t", "delta", "r", "U")),
-            read=READ,
+        return (
+            "the file is no driving log, or its header is not in its first line.",
+            ",".join(f"{name} [{QUANTITIES[name].si}]" for name in ("t", "delta", "r", "U")),
         )
     known = ", ".join(sorted(QUANTITIES[first].aliases, key=lambda name: (len(name), name))[:6])
     free = [split_header(one)[0] for one in headers if one not in [h for _, h in found.values()]]
     near = difflib.get_close_matches(first, free, n=1, cutoff=0.3) or ["COLUMN"]
-    raise LogError(
-        what,
-        usually=f"it goes by another name than {known}, ...",
-        paste=f'--map "{first}={near[0]}"',
-        read=READ,
-    )
+    return f"it goes by another name than {known}, ...", f'--map "{first}={near[0]}"'
 
 
 def _listed(headers: Sequence[str]) -> str:
@@ -186,6 +225,7 @@ def _unit(name: str, header: str, file: str) -> Unit:
             paste=f"{in_round.group(1)} [{in_round.group(2)}]" if in_round
             else f"{label} [{quantity.si}]",
             read='docs/logs.md, "Units"',
+            fault="no_unit",
         )  # fmt: skip
     try:
         unit = parse_unit(text, expect=ACCELERATION if name == "ay" and text in ("g", "G", "mg") else None)
@@ -195,6 +235,7 @@ def _unit(name: str, header: str, file: str) -> Unit:
             usually=f"one of {quantity.examples} is meant.",
             paste=f"{label} [{quantity.si}]",
             read='docs/logs.md, "Units"',
+            fault="unknown_unit",
         ) from None
     plain_number = text in ("1", "-", "1/s", "s^-1")  # SI: the radian is 1
     right_angle = unit.angle == 1 or plain_number if quantity.is_angle else unit.angle == 0
@@ -204,5 +245,6 @@ def _unit(name: str, header: str, file: str) -> Unit:
             usually="another quantity is stored under this name, or a '/s' was lost.",
             paste=f"{label} [{quantity.si}]",
             read='docs/logs.md, "Units"',
+            fault="wrong_dimension",
         )
     return unit

@@ -12,8 +12,9 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from similitude.errors import LogError, shown
-from similitude.log_columns import Column, split_header
+from similitude.errors import shown
+from similitude.finding import Finding
+from similitude.log_columns import Column, column_of, split_header
 from similitude.units import ACCELERATION, parse_unit
 
 _G = 9.80665  # m/s^2
@@ -24,13 +25,26 @@ LARGEST_WHEEL_ANGLE = 25.0  # rad; four turns of the steering wheel
 LARGEST_SPEED = 130.0  # m/s; 468 km/h
 STANDSTILL = 0.5  # m/s
 
+READ = 'docs/logs.md, "Faults of units and signs"'
+
+# (quantity, the most in SI, units in which a value is often written, SI unit)
+_LIMITS = (
+    ("U", LARGEST_SPEED, ("km/h", "mm/s"), "m/s"),
+    ("r", LARGEST_YAW_RATE, ("deg/s", "mrad/s"), "rad/s"),
+    ("delta", LARGEST_ROAD_ANGLE, ("deg", "mrad"), "rad"),
+    ("steering_wheel", LARGEST_WHEEL_ANGLE, ("deg", "mrad"), "rad"),
+    ("ay", LARGEST_ACCELERATION, ("m/s^2", "mg"), "m/s^2"),
+)
+
 # Judged at the 99th percentile: a single spike (a glitch of the bus, a blow to the gyro) is left
 # to the estimator's gate, while a wrong unit lifts the whole log and this percentile with it.
 SUSTAINED = 99.0
 
 
-def check_units(values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, file: str) -> None:
-    """Refuse values that cannot be in the unit of their column.
+def check_units(
+    values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, file: str
+) -> list[Finding]:
+    """Find values that cannot be in the unit of their column.
 
     Parameters
     ----------
@@ -39,26 +53,25 @@ def check_units(values: Mapping[str, np.ndarray], columns: Mapping[str, Column],
     columns : mapping of str to Column        where they come from
     file : str                                name of the file
 
-    Raises
-    ------
-    LogError   |r| U > 6 g, |r| > 12 rad/s, |ay| > 6 g, |U| > 130 m/s, or an angle beyond any car's,
-               at the 99th percentile; with the unit under which the values would be possible
+    Returns
+    -------
+    list of Finding
+               certain: |r| U > 6 g, |r| > 12 rad/s, |ay| > 6 g, |U| > 130 m/s, or an angle beyond
+               any car's, at the 99th percentile; with the unit under which the values would be possible
     """
-    speed, rate = values["U"], values["r"]
-    _refuse_above(speed, LARGEST_SPEED, columns["U"], ("km/h", "mm/s"), file, "m/s")
-    _refuse_above(rate, LARGEST_YAW_RATE, columns["r"], ("deg/s", "mrad/s"), file, "rad/s")
-    _refuse_above(
-        rate, LARGEST_ACCELERATION, columns["r"], ("deg/s", "mrad/s"), file, "m/s^2",
-        seen=lambda one: one * np.abs(speed), label="|r| U",
-    )  # fmt: skip
-    for name, most in (("delta", LARGEST_ROAD_ANGLE), ("steering_wheel", LARGEST_WHEEL_ANGLE)):
+    found = []
+    for name, most, guesses, si in _LIMITS:
         if name in values:
-            _refuse_above(values[name], most, columns[name], ("deg", "mrad"), file, "rad")
-    if "ay" in values:
-        _refuse_above(values["ay"], LARGEST_ACCELERATION, columns["ay"], ("m/s^2", "mg"), file, "m/s^2")
+            found += _above(values[name], most, column_of(name, columns), guesses, file, si)
+    if {"r", "U"} <= values.keys() and not found:
+        found += _above(
+            values["r"], LARGEST_ACCELERATION, columns["r"], ("deg/s", "mrad/s"), file, "m/s^2",
+            seen=lambda one: one * np.abs(values["U"]), label="|r| U",
+        )  # fmt: skip
+    return found
 
 
-def _refuse_above(
+def _above(
     values: np.ndarray,
     most: float,
     column: Column,
@@ -68,28 +81,37 @@ def _refuse_above(
     *,
     seen: Callable[[np.ndarray], np.ndarray] = lambda one: one,
     label: str = "",
-) -> None:
+) -> list[Finding]:
     size = np.abs(seen(values))
-    if not np.nanmax(size) > most:  # a sound log is done here, without a sort
-        return
+    if not np.any(size > most):  # a sound log is done here, without a sort
+        return []
     level = float(np.nanpercentile(size, SUSTAINED))
     if level <= most:
-        return
+        return []
     row = int(np.flatnonzero(size > most)[0])
     raw = values[row] / column.unit.factor
     name = split_header(column.header)[0]
     guess = _guess(level, most, column, guesses)
     label = label or f"|{name}|"
-    raise LogError(
+    what = (
         f"column {shown(column.header)} of {file}, data row {row + 1}: {raw:.6g} "
         f"{column.unit.text} cannot be; {label} reaches {level:.3g} {si} for 1 % of the rows, and "
-        f"{most:.3g} {si} is the most",
+        f"{most:.3g} {si} is the most"
+    )
+    found = Finding(
+        "impossible_unit",
+        certain=True,
+        what=what,
         usually=f"the unit is another: these values look like {guess}; write it in the header."
         if guess
         else "the column holds raw counts or another signal; scale it first.",
         paste=f"{name} [{guess}]" if guess else f'--map "{name}=COLUMN"',
-        read='docs/logs.md, "What is refused"',
+        read=READ,
+        column=column.header,
+        value=level,
+        rows=(row + 1, row + 1),
     )
+    return [found]
 
 
 def _guess(level: float, most: float, column: Column, guesses: tuple[str, ...]) -> str | None:
@@ -100,84 +122,26 @@ def _guess(level: float, most: float, column: Column, guesses: tuple[str, ...]) 
     return None
 
 
-def speed_warnings(speed: np.ndarray) -> tuple[str, ...]:
-    """Return warnings on standstill and reverse; `speed` (n,) in m/s, NaN where missing."""
+def check_speed(speed: np.ndarray, *, header: str) -> list[Finding]:
+    """Find standstill and reverse; `speed` (n,) in m/s, NaN where missing."""
     known = speed[~np.isnan(speed)]
+    if not known.size:
+        return []
     still = np.count_nonzero(np.abs(known) < STANDSTILL) / known.size
     back = np.count_nonzero(known <= -STANDSTILL) / known.size
-    warnings = []
+    found = []
     if still > 0:
-        warnings.append(
+        found.append(Finding(
+            "standstill", False,
             f"the car stands (below {STANDSTILL:g} m/s) in {100 * still:.2g} % of the rows: "
-            "nothing is learnt there"
-        )
+            "nothing is learnt there", "the drive was recorded with its stops.",
+            "similitude identify MOVING_PART.csv", READ, column=header, value=still,
+        ))  # fmt: skip
     if back > 0:
-        warnings.append(
-            f"the speed is negative in {100 * back:.2g} % of the rows (reverse): nothing is learnt there"
-        )
-    return tuple(warnings)
-
-
-def check_against_steer(
-    values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, wheelbase: float, file: str
-) -> tuple[str, ...]:
-    """Compare the yaw rate with what the steer asks for, r = U delta / L.
-
-    A tyre only takes from that: a car understeers. So a yaw rate many times larger, in step with
-    the steer, is in degrees; this finds the wrong unit of a quiet log, which stays below 6 g.
-
-    Parameters
-    ----------
-    values : mapping of str to (n,) float64   SI: "delta" (road wheel), "r", "U"
-    columns : mapping of str to Column        where they come from
-    wheelbase : float                         L [m]
-    file : str                                name of the file
-
-    Returns
-    -------
-    tuple of str   warnings: opposite signs; a steer that looks like the steering wheel's
-
-    Raises
-    ------
-    LogError       r follows U delta / L, but is more than ten times as large
-    """
-    asked = values["U"] * values["delta"] / wheelbase
-    rate = values["r"]
-    both = np.isfinite(asked) & np.isfinite(rate) & (values["U"] > 3.0)
-    if np.count_nonzero(both) < 50:
-        return ()
-    asked, rate = asked[both], rate[both]
-    asked, rate = asked - asked.mean(), rate - rate.mean()
-    power, cross = float(asked @ asked), float(asked @ rate)
-    if power == 0 or float(rate @ rate) == 0:
-        return ()
-    slope, likeness = cross / power, cross / float(np.sqrt(power * (rate @ rate)))
-    if likeness > 0.5 and slope > 10:
-        raise _too_large_a_slope(slope, columns, file)
-    if likeness < -0.8:
-        return ("steer and yaw rate have opposite signs: turn one of them round",)
-    if likeness > 0.8 and 0 < slope < 0.04:
-        return (
-            f"the yaw rate is only {slope:.2g} of U delta / L: the steer looks like that of the "
-            "steering wheel, or its unit is another",
-        )
-    return ()
-
-
-def _too_large_a_slope(slope: float, columns: Mapping[str, Column], file: str) -> LogError:
-    rate, steer = columns["r"], columns.get("delta") or columns["steering_wheel"]
-    guesses = []
-    if rate.unit.factor > np.pi / 180:
-        guesses.append((f"those of {shown(rate.header)} look like deg/s",
-                        f"{split_header(rate.header)[0]} [deg/s]"))  # fmt: skip
-    if steer.unit.factor < 1:
-        guesses.append((f"those of {shown(steer.header)} look like rad",
-                        f"{split_header(steer.header)[0]} [rad]"))  # fmt: skip
-    guesses = guesses or [("the wheelbase or the steering ratio looks wrong", 'L = "2.69 m"')]
-    return LogError(
-        f"column {shown(rate.header)} of {file} is {slope:.3g} times U delta / L, the yaw rate of "
-        "a car on rails; no car turns more than a few times as fast",
-        usually="a unit is another: " + ", or ".join(text for text, _ in guesses) + ".",
-        paste=guesses[0][1],
-        read='docs/logs.md, "What is refused"',
-    )
+        found.append(Finding(
+            "reverse", False,
+            f"the speed is negative in {100 * back:.2g} % of the rows (reverse): nothing is learnt there",
+            "the car was backed, or the axis of the sensor points backward.",
+            "similitude identify FORWARD_PART.csv", READ, column=header, value=back,
+        ))  # fmt: skip
+    return found

@@ -25,7 +25,7 @@ def test_columns_come_in_the_order_asked_for_with_nan_where_missing(load):
 
     np.testing.assert_array_equal(loaded.columns[0], [np.nan, np.nan, np.nan, 0.5])
     np.testing.assert_array_equal(loaded.columns[1], [1, 2, 3, 4])
-    assert loaded.warnings == ()
+    assert loaded.findings == ()
 
 
 @pytest.mark.parametrize(
@@ -68,22 +68,22 @@ def test_a_last_row_with_fewer_cells_is_dropped_and_said(load):
     loaded = load(HEADER + ROWS + "0.30,1.5")
 
     assert loaded.columns[0].size == 30
-    assert "last row has 2 of 4 cells and was dropped" in loaded.warnings[0]
+    assert "last row has 2 of 4 cells and was dropped" in loaded.findings[0].what
 
 
 def test_a_last_number_that_was_cut_off_is_dropped_and_said(load):
     loaded = load("t,r\n0.01,1.5\n0.02,2.5\n0.03,3.5e-")
 
     assert loaded.columns[0].tolist() == [0.01, 0.02]
-    assert "cut off" in loaded.warnings[0]
+    assert "cut off" in loaded.findings[0].what
 
 
 REFUSED = {
     "a word": (
-        HEADER + ROWS.replace("0.05,2.5", "0.05,off"), r"'r \[deg/s\]' .*data row 6: 'off'", "nan",
+        HEADER + ROWS.replace("0.05,2.5", "0.05,off"), r"'r \[deg/s\]' .*data row 6: 'off'", "--fix",
     ),
     "a unit row": ("t,r\ns,deg/s\n0.01,1\n", "data row 1: 's' is no number", "t [s]"),
-    "a word, decimal comma": ("t;r\n0,01;1\n0,02;x\n", "'r'.*data row 2: 'x'", "nan"),
+    "a word, decimal comma": ("t;r\n0,01;1\n0,02;x\n", "'r'.*data row 2: 'x'", "--fix"),
     "both decimal signs": (
         "t;r\n0,01;1\n0.02;2\n",
         "'0.02' in column 't', data row 2 and '0,01' in column 't', data row 1", "sed",
@@ -107,3 +107,33 @@ def test_a_broken_table_is_refused_with_row_column_and_value(load, case):
     assert "drive.csv" in caught.value.what
     assert caught.value.paste.startswith(paste)
     assert all([caught.value.usually, caught.value.read])
+
+
+def test_dates_are_read_as_seconds_beside_numbers(tmp_path):
+    path = tmp_path / "drive.csv"
+    path.write_text("time;r\n2024-05-01T12:00:00,25Z;1,5\n2024-05-01T12:00:00,50Z;2,5\n")
+    table = open_table(path)
+
+    assert [table.is_clock(position) for position in (0, 1)] == [True, False]
+    np.testing.assert_array_equal(table.load([0, 1]).columns, [[1714564800.25, 1714564800.5], [1.5, 2.5]])
+
+
+def test_a_header_that_stands_again_is_known_and_can_be_blanked(load, tmp_path):
+    joined = "t,r\n0.01,1\n0.02,2\nt,r\n0.01,1\n"
+    with pytest.raises(LogError, match="the header stands there again") as caught:
+        load(joined)
+
+    assert caught.value.fault == "header_again"
+    loaded = open_table(tmp_path / "drive.csv").load([0, 1], blanked=["header_again"])
+    np.testing.assert_array_equal(loaded.columns[0], [0.01, 0.02, np.nan, 0.01])
+
+
+@pytest.mark.parametrize(("cell", "paste"), [("1,234.5", "1234.5"), ("#REF!", "--fix blank_text")])
+def test_text_in_a_cell_is_named_with_its_row_and_left_out_on_request(load, tmp_path, cell, paste):
+    with pytest.raises(LogError, match=f"data row 2: '{cell}' is no number") as caught:
+        load(f't,r\n0.01,1\n0.02,"{cell}"\n0.03,3\n')
+
+    assert (caught.value.fault, caught.value.paste) == ("text_in_cell", paste)
+    loaded = open_table(tmp_path / "drive.csv").load([1], blanked=["text_in_cell"])
+    np.testing.assert_array_equal(loaded.columns[0], [1, np.nan, 3])
+    assert loaded.findings[0].value == 1

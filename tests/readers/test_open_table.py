@@ -17,7 +17,7 @@ def test_a_parquet_file_with_another_name_is_read_and_said(tmp_path):
     table = open_table(tmp_path / "drive.csv")
 
     assert table.headers == ("t [s]",)
-    assert "is Parquet" in table.warnings[0]
+    assert "is Parquet" in table.findings[0].what
 
 
 def test_text_named_parquet_is_read_and_said(tmp_path):
@@ -26,7 +26,7 @@ def test_text_named_parquet_is_read_and_said(tmp_path):
     table = open_table(tmp_path / "drive.parquet")
 
     assert table.headers == ("t", "r")
-    assert "is text" in table.warnings[0]
+    assert "is text" in table.findings[0].what
 
 
 @pytest.mark.parametrize(

@@ -43,13 +43,21 @@ def test_columns_are_taken_by_position_and_headers_keep_their_units(write):
 
 
 @pytest.mark.parametrize(
-    ("values", "kind"), [(["a", "b"], "string"), ([datetime.datetime(2024, 1, 1)] * 2, "timestamp")]
+    ("values", "kind"), [(["a", "b"], "string"), ([datetime.time(12), datetime.time(13)], "time")]
 )
 def test_what_is_no_number_is_refused_with_column_and_type(write, values, kind):
     path = write({"t": values})
 
     with pytest.raises(LogError, match=f"column 't' of drive.parquet holds {kind}"):
         open_table(path).load([0])
+
+
+def test_a_date_becomes_seconds_since_1970_and_is_known_as_a_clock(write):
+    start = datetime.datetime(2024, 5, 1, 12, tzinfo=datetime.UTC)
+    table = open_table(write({"t": [start, start + datetime.timedelta(seconds=0.25)], "r [deg/s]": [1, 2]}))
+
+    assert [table.is_clock(position) for position in (0, 1)] == [True, False]
+    assert table.load([0]).columns[0].tolist() == [1714564800.0, 1714564800.25]
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.99])

@@ -8,7 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from similitude.errors import LogError, shown
-from similitude.readers.table import READ, Loaded, Table
+from similitude.finding import Finding
+from similitude.readers.table import READ, Loaded, Table, noted
 
 __all__ = ["Loaded", "Table", "open_table"]
 
@@ -59,13 +60,22 @@ def open_table(path: str | Path) -> Table:
     if start.startswith(b"PAR1"):
         from similitude.readers.parquet import open_parquet
 
-        lie = () if named_parquet else (f"{path.name} is named like text, but is Parquet",)
-        return open_parquet(path, warnings=lie)
+        return open_parquet(path, findings=() if named_parquet else _named_otherwise(path, "text", "Parquet"))
     _refuse_foreign(path, start, named_parquet)
     from similitude.readers.csv import open_csv
 
-    lie = (f"{path.name} is named like Parquet, but is text",) if named_parquet else ()
-    return open_csv(path, warnings=lie)
+    return open_csv(path, findings=_named_otherwise(path, "Parquet", "text") if named_parquet else ())
+
+
+def _named_otherwise(path: Path, named: str, being: str) -> tuple[Finding, ...]:
+    suffix = ".parquet" if being == "Parquet" else ".csv"
+    said = noted(
+        "other_name",
+        f"{path.name} is named like {named}, but is {being}",
+        "it was renamed by hand.",
+        f"mv {path.name} {path.stem}{suffix}",
+    )
+    return (said,)
 
 
 def _first_bytes(path: Path) -> bytes:
@@ -79,6 +89,7 @@ def _first_bytes(path: Path) -> bytes:
             usually="the path is relative to another folder, or names a folder.",
             paste="similitude identify drive.csv",
             read=READ,
+            fault="cannot_open",
         ) from None
 
 
@@ -89,6 +100,7 @@ def _refuse_foreign(path: Path, start: bytes, named_parquet: bool) -> None:
             usually="the recording was stopped before it began, or the disk was full.",
             paste="t [s],delta [rad],r [rad/s],U [m/s]",
             read=READ,
+            fault="empty_file",
         )
     for magic, kind, way_out in _FOREIGN:
         if start.startswith(magic):
@@ -97,6 +109,7 @@ def _refuse_foreign(path: Path, start: bytes, named_parquet: bool) -> None:
                 usually="the log was packed or left in the format of the recorder.",
                 paste=way_out.replace("LOG", path.name),
                 read=READ,
+                fault="foreign_format",
             )
     wide = start.startswith((b"\xff\xfe", b"\xfe\xff"))  # UTF-16 text holds zero bytes
     if b"\x00" in start and not wide:
@@ -106,4 +119,5 @@ def _refuse_foreign(path: Path, start: bytes, named_parquet: bool) -> None:
             usually="it is another kind of file, or its beginning was lost.",
             paste="t [s],delta [rad],r [rad/s],U [m/s]",
             read=READ,
+            fault="foreign_format",
         )

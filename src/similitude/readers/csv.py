@@ -8,23 +8,27 @@ A data row is counted from 1 for the first row below the header, in every messag
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from similitude.errors import LogError, shown
+from similitude.finding import Finding
+from similitude.readers.clock_text import clock_seconds, looks_like_clock
 from similitude.readers.csv_text import NUMBER, CsvText, take_apart
-from similitude.readers.table import READ, Loaded, Table
+from similitude.readers.table import READ, Loaded, Table, noted
 
 _NULLS = frozenset(" nan NaN NAN NA N/A n/a #N/A null NULL None none - -- ?".split(" "))
 
 
-def open_csv(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
+def open_csv(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
     """Open a CSV file.
 
     Parameters
     ----------
-    path : Path              a text file with one header line
-    warnings : tuple of str  what is already known about the file
+    path : Path                   a text file with one header line
+    findings : tuple of Finding   what is already known about the file
 
     Returns
     -------
@@ -42,25 +46,37 @@ def open_csv(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
             usually="the disk or the network went away.",
             paste=f"similitude identify {path.name}",
             read=READ,
+            fault="cannot_open",
         ) from None
     text = take_apart(path, raw)
-    return Table(text.headers, lambda positions: _load(text, positions), warnings)
+    first = text.first_cells()
+
+    def is_clock(position: int) -> bool:
+        return position < len(first) and looks_like_clock(first[position])
+
+    def load(positions: Sequence[int], *, blanked: Collection[str] = ()) -> Loaded:
+        return _load(text, positions, [is_clock(one) for one in positions], blanked)
+
+    return Table(text.headers, load, is_clock, findings)
 
 
-def _load(text: CsvText, positions: Sequence[int]) -> Loaded:
+def _load(text: CsvText, positions: Sequence[int], clocks: list[bool], blanked: Collection[str]) -> Loaded:
     if not text.body.strip():
         raise LogError(
             f"{text.path.name} has a header but no rows",
             usually="the recording was stopped before it began.",
             paste="0.00,0.0012,0.031,21.4",
             read=READ,
+            fault="empty_file",
         )
     for decimal_sign in (".",) if text.separator == "," else (".", ","):
+        if any(clocks):
+            break
         try:
             return _load_fast(text, positions, decimal_sign)
         except _Unreadable:
             pass
-    return _load_cell_by_cell(text, positions)
+    return _load_cell_by_cell(text, positions, clocks, blanked)
 
 
 class _Unreadable(Exception):
@@ -73,9 +89,9 @@ def _load_fast(text: CsvText, positions: Sequence[int], decimal_sign: str) -> Lo
 
     names = [str(position) for position in positions]
     table, odd_rows = _parse(text, names, pa.float64(), decimal_sign)
-    warnings = _judge_rows(text, table.num_rows, odd_rows)
+    findings = _judge_rows(text, table.num_rows, odd_rows)
     columns = tuple(np.ascontiguousarray(table.column(name).to_numpy(), dtype=np.float64) for name in names)
-    return Loaded(columns, warnings)
+    return Loaded(columns, findings)
 
 
 def _parse(text: CsvText, names: list[str], kind, decimal_sign: str):
@@ -111,13 +127,13 @@ def _parse(text: CsvText, names: list[str], kind, decimal_sign: str):
     return table, odd_rows
 
 
-def _judge_rows(text: CsvText, rows: int, odd_rows: list) -> tuple[str, ...]:
+def _judge_rows(text: CsvText, rows: int, odd_rows: list) -> tuple[Finding, ...]:
     if not odd_rows:
         return ()
     number, width = odd_rows[0]
     wanted = len(text.headers)
     if len(odd_rows) == 1 and number == rows + 1 and width < wanted:
-        return (f"the last row has {width} of {wanted} cells and was dropped: the file is cut off",)
+        return (_cut_off(f"the last row has {width} of {wanted} cells and was dropped"),)
     decimal_comma = text.separator == "," and len(odd_rows) > rows and width >= 2 * wanted - 1
     raise LogError(
         f"data row {number} of {text.path.name} has {width} cells, the header {wanted}"
@@ -127,11 +143,28 @@ def _judge_rows(text: CsvText, rows: int, odd_rows: list) -> tuple[str, ...]:
         else "the file was damaged, or two recordings were joined.",
         paste=";".join(text.headers) if decimal_comma else text.separator.join(text.headers),
         read=READ,
+        fault="decimal_comma" if decimal_comma else "odd_row",
     )
 
 
-def _load_cell_by_cell(text: CsvText, positions: Sequence[int]) -> Loaded:
-    """Read what the fast way does not: padded words for "missing", a number cut off at the end."""
+def _cut_off(what: str) -> Finding:
+    return noted("cut_off", what, "the file is cut off: the recording was interrupted.", "tail -n 2 LOG.csv")
+
+
+def _left_out(count: int) -> Finding:
+    said = noted(
+        "text_left_out",
+        f"{count} cells that hold text were left empty",
+        "the logger wrote words for missing values.",
+        "--fix blank_text",
+    )
+    return replace(said, value=float(count))
+
+
+def _load_cell_by_cell(
+    text: CsvText, positions: Sequence[int], clocks: list[bool], blanked: Collection[str]
+) -> Loaded:
+    """Read what the fast way does not: dates, padded words for "missing", a number cut off at the end."""
     import numpy as np
     import pyarrow as pa
 
@@ -144,52 +177,80 @@ def _load_cell_by_cell(text: CsvText, positions: Sequence[int]) -> Loaded:
             usually="a quotation mark is not closed, or the file was damaged.",
             paste=text.separator.join(text.headers),
             read=READ,
+            fault="odd_row",
         ) from None
-    warnings = _judge_rows(text, table.num_rows, odd_rows)
+    findings = _judge_rows(text, table.num_rows, odd_rows)
     rows = [
         [(cell or b"").decode("utf-8", "replace").strip() for cell in table.column(name).to_pylist()]
         for name in names
     ]
-    wrong = _first_wrong(rows)
-    if wrong is not None and wrong[0] == table.num_rows > 1 and text.body[-1:] not in b"\r\n":
-        rows = [cells[:-1] for cells in rows]
-        warnings += ("the last row was cut off in the middle of a number and was dropped",)
-        wrong = None
-    if wrong is not None:
-        raise _text_in_cell(text, rows, positions, *wrong)
-    signs = {sign for cells in rows for cell in cells for sign in ".," if sign in cell}
-    if len(signs) > 1:
+    wrong = _wrong_cells(rows, clocks)
+    if wrong and min(wrong)[0] == table.num_rows > 1 and text.body[-1:] not in b"\r\n":
+        rows, wrong = [cells[:-1] for cells in rows], set()
+        findings += (_cut_off("the last row was cut off in the middle of a number and was dropped"),)
+    again = {(row, place) for row, place in wrong if rows[place][row - 1] == text.headers[positions[place]]}
+    texts = wrong - again
+    refused = (set() if "header_again" in blanked else again) | (
+        set() if "text_in_cell" in blanked else texts
+    )
+    if refused:
+        raise _text_in_cell(text, rows, positions, len(refused), *min(refused))
+    if texts:
+        findings += (_left_out(len(texts)),)
+    for row, place in wrong:
+        rows[place][row - 1] = ""
+    plain = [cells for cells, clock in zip(rows, clocks, strict=True) if not clock]
+    if len({sign for cells in plain for cell in cells for sign in ".," if sign in cell}) > 1:
         raise _two_decimal_signs(text, rows, positions)
     columns = [
-        np.array([np.nan if cell in _NULLS else float(cell.replace(",", ".")) for cell in cells])
-        for cells in rows
+        clock_seconds(cells)
+        if clock
+        else np.array([np.nan if cell in _NULLS else float(cell.replace(",", ".")) for cell in cells])
+        for cells, clock in zip(rows, clocks, strict=True)
     ]
-    return Loaded(tuple(columns), warnings)
+    return Loaded(tuple(columns), findings)
 
 
-def _first_wrong(rows: list[list[str]]) -> tuple[int, int] | None:
-    """Return the first cell that is no number, as (data row, place among the columns)."""
-    found = [
+def _wrong_cells(rows: list[list[str]], clocks: list[bool]) -> set[tuple[int, int]]:
+    """Return the cells that are no number and no date, as (data row, place among the columns)."""
+    return {
         (row, place)
-        for place, cells in enumerate(rows)
+        for place, (cells, clock) in enumerate(zip(rows, clocks, strict=True))
         for row, cell in enumerate(cells, start=1)
-        if cell not in _NULLS and not NUMBER.fullmatch(cell)
-    ]
-    return min(found, default=None)
+        if cell not in _NULLS and not (looks_like_clock(cell) if clock else NUMBER.fullmatch(cell))
+    }
 
 
 def _text_in_cell(
-    text: CsvText, rows: list[list[str]], positions: Sequence[int], row: int, place: int
+    text: CsvText, rows: list[list[str]], positions: Sequence[int], count: int, row: int, place: int
 ) -> LogError:
     header, cell = text.headers[positions[place]], rows[place][row - 1]
-    second_header = row == 1 and not any(NUMBER.fullmatch(cells[0]) for cells in rows)
+    what = f"column {shown(header)} of {text.path.name}, data row {row}: {shown(cell)} is no number"
+    if cell == header:
+        return LogError(
+            f"{what}: the header stands there again",
+            usually="two recordings were joined end to end; this keeps the longer one.",
+            paste="--fix keep_longest_part",
+            read=READ,
+            fault="header_again",
+        )
+    if row == 1 and not any(NUMBER.fullmatch(cells[0]) for cells in rows):
+        return LogError(
+            what,
+            usually="the units stand in a second header line; write them in the first, in brackets.",
+            paste=f"{header} [{cell}]",
+            read=READ,
+            fault="second_header",
+        )
+    thousands = re.fullmatch(r"[-+]?\d{1,3}(?:,\d{3})+(?:\.\d+)?", cell)
     return LogError(
-        f"column {shown(header)} of {text.path.name}, data row {row}: {shown(cell)} is no number",
-        usually="the units stand in a second header line; write them in the first, in brackets."
-        if second_header
-        else "the logger wrote a word for a missing value; leave the cell empty.",
-        paste=f"{header} [{cell}]" if second_header else "nan",
+        what + (f"; {count} cells are text" if count > 1 else ""),
+        usually="thousands are parted by commas; write the number without them."
+        if thousands
+        else "the logger or a spreadsheet wrote a word for a missing value; this leaves the cell empty.",
+        paste=cell.replace(",", "") if thousands else "--fix blank_text",
         read=READ,
+        fault="text_in_cell",
     )
 
 
@@ -210,4 +271,5 @@ def _two_decimal_signs(text: CsvText, rows: list[list[str]], positions: Sequence
         usually="two recordings were joined, or thousands are parted by a sign.",
         paste=f"sed 's/,/./g' {text.path.name} > points.csv",
         read=READ,
+        fault="decimal_comma",
     )

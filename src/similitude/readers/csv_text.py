@@ -29,6 +29,11 @@ class CsvText:
     separator: str
     body: bytes
 
+    def first_cells(self) -> tuple[str, ...]:
+        """Cells of the first row, without blanks around them."""
+        line = LINE_END.split(self.body.lstrip(b"\r\n"), maxsplit=1)[0]
+        return _cells(line.decode("utf-8", errors="replace"), self.separator)
+
 
 def _utf8(raw: bytes) -> bytes:
     if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -52,6 +57,7 @@ def take_apart(path: Path, raw: bytes) -> CsvText:
             usually="columns are parted by blanks.",
             paste=re.sub(r"\]\s+", "],", line.strip())[:200],
             read=READ,
+            fault="no_header",
         )
     headers = _cells(line, separator)
     if any(headers) and all(NUMBER.fullmatch(cell) for cell in headers if cell):
@@ -60,6 +66,7 @@ def take_apart(path: Path, raw: bytes) -> CsvText:
             usually="the names and units of the columns are kept elsewhere.",
             paste="t [s],delta [rad],r [rad/s],U [m/s]",
             read=READ,
+            fault="no_header",
         )
     first = LINE_END.split(body.lstrip(b"\r\n"), maxsplit=1)[0].strip(b" ")
     if first.endswith(separator.encode()) and first.count(separator.encode()) == len(headers):

@@ -5,20 +5,21 @@ Invariant: whatever pyarrow finds wrong with the bytes ends in a `LogError`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from similitude.errors import LogError, shown
+from similitude.finding import Finding
 from similitude.readers.table import READ, Loaded, Table
 
 
-def open_parquet(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
+def open_parquet(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
     """Open a Parquet file.
 
     Parameters
     ----------
-    path : Path              a file that begins as Parquet
-    warnings : tuple of str  what is already known about the file
+    path : Path                   a file that begins as Parquet
+    findings : tuple of Finding   what is already known about the file
 
     Returns
     -------
@@ -36,48 +37,81 @@ def open_parquet(path: Path, *, warnings: tuple[str, ...] = ()) -> Table:
             usually="the recording or the copy was interrupted; without the index nothing can be read.",
             paste=f"cp --force SOURCE/{path.name} .",
             read=READ,
+            fault="cut_off",
         )
     try:
         file = pyarrow.parquet.ParquetFile(path)
         headers = tuple(str(name) for name in file.schema_arrow.names)
     except Exception as error:  # damaged bytes raise a dozen kinds of exception in pyarrow
         raise _damaged(path, error) from None
-    return Table(headers, lambda positions: _load(path, file, positions), warnings)
+
+    def load(positions: Sequence[int], *, blanked: Collection[str] = ()) -> Loaded:
+        return _load(path, file, positions, "text_in_cell" in blanked)
+
+    def is_clock(position: int) -> bool:
+        return _is_date(file.schema_arrow.types[position])
+
+    return Table(headers, load, is_clock, findings)
 
 
-def _load(path: Path, file, positions: Sequence[int]) -> Loaded:
+def _load(path: Path, file, positions: Sequence[int], text_blanked: bool) -> Loaded:
     import numpy as np
-    import pyarrow as pa
 
     schema = file.schema_arrow
-    for position in positions:
-        _refuse_type(path, schema.names[position], schema.types[position])
+    if not text_blanked:
+        for position in positions:
+            _refuse_type(path, schema.names[position], schema.types[position])
     try:
         # By position, because two columns may share a name.
         table = file.read()
-        chosen = [table.column(position).cast(pa.float64(), safe=False) for position in positions]
-        columns = tuple(np.ascontiguousarray(column.to_numpy(), dtype=np.float64) for column in chosen)
+        chosen = [_numbers(table.column(position)) for position in positions]
+        columns = tuple(np.ascontiguousarray(column, dtype=np.float64) for column in chosen)
     except Exception as error:  # as above: bytes may be damaged anywhere
         raise _damaged(path, error) from None
     return Loaded(columns)
 
 
+def _numbers(column):
+    import numpy as np
+    import pyarrow as pa
+
+    if _is_date(column.type):
+        # Whole nanoseconds first: a float holds 1e-7 s at the seconds of our time, not better.
+        whole = column.cast(pa.timestamp("ns"), safe=False).cast(pa.int64())
+        return whole.cast(pa.float64(), safe=False).to_numpy() * 1e-9
+    if _is_number(column.type):
+        return column.cast(pa.float64(), safe=False).to_numpy()
+    return np.full(len(column), np.nan)
+
+
+def _is_number(kind) -> bool:
+    import pyarrow.types as types
+
+    return types.is_floating(kind) or types.is_integer(kind) or types.is_decimal(kind) or types.is_null(kind)
+
+
+def _is_date(kind) -> bool:
+    import pyarrow.types as types
+
+    return types.is_timestamp(kind)
+
+
 def _refuse_type(path: Path, name: str, kind) -> None:
     import pyarrow.types as types
 
-    number = types.is_floating(kind) or types.is_integer(kind) or types.is_decimal(kind)
-    if number or types.is_null(kind):
+    if _is_number(kind) or _is_date(kind):
         return
     clock = types.is_temporal(kind)
     raise LogError(
         f"column {shown(name)} of {path.name} holds {kind}, not numbers",
-        usually="a clock time was stored; seconds as plain numbers are needed."
+        usually="a clock time without a date was stored; seconds as plain numbers are needed."
         if clock
         else "the column was stored as text.",
         paste='table["t [s]"] = (table["time"] - table["time"].iloc[0]).dt.total_seconds()'
         if clock
         else f'table["{name}"] = table["{name}"].astype(float)',
         read=READ,
+        fault="text_in_cell",
     )
 
 
@@ -88,4 +122,5 @@ def _damaged(path: Path, error: Exception) -> LogError:
         usually="the recording or the copy was interrupted.",
         paste=f"cp --force SOURCE/{path.name} .",
         read=READ,
+        fault="damaged_file",
     )

@@ -6,9 +6,11 @@ nothing of vehicles, units or plausibility.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from similitude.finding import Finding
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,8 +22,8 @@ READ = 'docs/logs.md, "Files"'
 class Loaded:
     """Columns of a file, in the order asked for, and what had to be said about them."""
 
-    columns: tuple[np.ndarray, ...]  # each (n,) float64
-    warnings: tuple[str, ...] = ()
+    columns: tuple[np.ndarray, ...]  # each (n,) float64; seconds since 1970 where it is a clock
+    findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -30,11 +32,20 @@ class Table:
 
     Parameters
     ----------
-    headers : tuple of str   as written, such as ``"r [deg/s]"``, in file order
-    load : callable          positions (sequence of int) -> Loaded; raises LogError
-    warnings : tuple of str  what was noticed while opening
+    headers : tuple of str        as written, such as ``"r [deg/s]"``, in file order
+    load : callable               (positions, blanked=()) -> Loaded; raises LogError. `blanked` names
+                                  faults of cells ("text_in_cell", "header_again") that are to
+                                  count as missing instead
+    is_clock : callable           position -> whether its cells are dates with a time of day
+    findings : tuple of Finding   what was noticed while opening
     """
 
     headers: tuple[str, ...]
-    load: Callable[[Sequence[int]], Loaded]
-    warnings: tuple[str, ...] = ()
+    load: Callable[..., Loaded]
+    is_clock: Callable[[int], bool]
+    findings: tuple[Finding, ...] = ()
+
+
+def noted(fault: str, what: str, usually: str, paste: str) -> Finding:
+    """Return a finding that is said and refuses nothing."""
+    return Finding(fault, certain=False, what=what, usually=usually, paste=paste, read=READ)

@@ -1,0 +1,39 @@
+"""Dates with a time of day become seconds; everything else is left alone."""
+
+import datetime
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from similitude.readers.clock_text import clock_seconds, looks_like_clock
+
+
+@given(st.datetimes(datetime.datetime(1975, 1, 1), datetime.datetime(2100, 1, 1)), st.sampled_from("T "))
+def test_a_date_is_the_seconds_of_the_calendar(when, between):
+    """Python's own calendar is the other route; a float of these seconds has steps of 5e-7 s."""
+    expected = when.replace(tzinfo=datetime.UTC).timestamp()
+
+    (got,) = clock_seconds([when.isoformat(sep=between)])
+
+    assert got == pytest.approx(expected, abs=5e-7, rel=0)
+
+
+def test_zones_are_taken_off_and_what_is_no_date_is_missing():
+    same = [
+        "2024-05-01T12:00:00Z",
+        "2024-05-01 14:00:00+02:00",
+        "2024-05-01T07:30:00 -0430",
+        "2024-13-01T00:00:00",
+    ]
+
+    seconds = clock_seconds([*same, ""])
+
+    assert seconds[0] == seconds[1] == seconds[2] == 1714564800.0
+    assert np.isnan(seconds[3:]).all()
+
+
+@pytest.mark.parametrize("cell", ["12:00:00", "2024", "0.25", "", "2024-05-01", "nan"])
+def test_a_number_or_half_a_date_is_no_clock(cell):
+    assert not looks_like_clock(cell)
