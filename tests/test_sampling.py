@@ -22,10 +22,10 @@ seeds = st.integers(0, 2**32 - 1)
 class Step:
     """An implicit step on numbers."""
 
-    def __init__(self, rates, n, parameters=()):
+    def __init__(self, rates, n, parameters=(), ramp=None):
         self.states = sp.symbols(NAMES[:n], real=True)
         chain = dict.fromkeys(parameters, sp.Integer(1))
-        self.step = implicit_step(rates(*self.states), list(self.states), parameters=chain)
+        self.step = implicit_step(rates(*self.states), list(self.states), parameters=chain, ramp=ramp)
 
     def __call__(self, x, h, **values):
         """State after, dx+/dx and {parameter: dx+/dp}."""
@@ -239,3 +239,50 @@ def test_a_companion_moves_on_its_own_path_with_the_same_matrices():
 
     after = [evaluate(e, scope) for e in made.after]
     assert [evaluate(e, scope) for e in made.companion_after] == after
+
+
+def ramped(n):
+    """x' = A x + B u where u rises by ``rise`` over the step and has the mean u."""
+    A = sp.Matrix(n, n, lambda i, j: sp.Symbol(f"a{i}{j}", real=True))
+    B = sp.Matrix(n, 1, lambda i, j: sp.Symbol(f"b{i}", real=True))
+    rates = lambda *x: list(A * sp.Matrix(x) + B * u)  # noqa: E731
+    return Step(rates, n, parameters=("u",), ramp=("u", sp.Symbol("rise", real=True)))
+
+
+RAMPED = {n: ramped(n) for n in (1, 2, 3)}
+
+
+def straight_line(A, B, begin, end, h):
+    """State after h from rest under an input that goes from ``begin`` to ``end``, exactly."""
+    n = len(A)
+    block = np.zeros((n + 2, n + 2))
+    block[:n, :n], block[:n, n], block[n, n + 1] = A, B, 1.0
+    return (expm(block * h) @ np.concatenate([np.zeros(n), [begin, (end - begin) / h]]))[:n]
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.sampled_from([1, 2, 3]), seeds, st.floats(0.01, 1.0))
+def test_an_input_that_rises_is_met_to_third_order(n, seed, h):
+    """The local error of two Radau IIA halves is h^4/576 of the forcing, times 1 + h |lambda|/2 + ..."""
+    rng = np.random.default_rng(seed)
+    A, B = normal_matrix(rng, n, radius=1.0), rng.standard_normal(n)
+    begin, slope = rng.standard_normal(2)
+
+    after, _, _ = RAMPED[n](np.zeros(n), h, u=begin + slope * h / 2, rise=slope * h, **entries(A, B))
+
+    error = np.linalg.norm(after - straight_line(A, B, begin, begin + slope * h, h))
+    assert error < h**4 / 200 * np.linalg.norm(B) * (abs(begin) + abs(slope)) + 1e-12
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.sampled_from([1, 2, 3]), seeds)
+def test_a_vehicle_faster_than_the_log_follows_the_input_without_delay(n, seed):
+    rng = np.random.default_rng(seed)
+    A, B = normal_matrix(rng, n, radius=1.0) - 0.5 * np.eye(n), rng.standard_normal(n)
+    begin, end = rng.standard_normal(2)
+
+    after, _, _ = RAMPED[n](np.zeros(n), 1e4, u=(begin + end) / 2, rise=end - begin, **entries(A, B))
+
+    # what is left are terms in 1/(h lambda) with |lambda| >= 0.5
+    settled = -np.linalg.solve(A, B * end)
+    assert np.linalg.norm(after - settled) < 1e-2 * np.linalg.norm(B) * (abs(begin) + abs(end))

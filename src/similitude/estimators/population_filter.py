@@ -33,8 +33,8 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 WORKING = frozenset(
     "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
     "inv_output_scale keep keep_w learn learn_slow least_scale lost nis noise noise_change "
-    "output_rate output_scale p pp q qq response seen sensitivity span steer u u_plain unseen "
-    "validity_now validity_square validity_then w_nominal".split()
+    "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_plain "
+    "unseen validity_now validity_square validity_then w_nominal".split()
 )
 
 
@@ -257,6 +257,7 @@ def _dynamics(layout: Layout) -> list[Statement]:
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
         lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
     lines.append(Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
+    lines.append(Assign("steer_change", S("u_now") - S("last_input")))
     plain = S("steer")  # an estimated offset holds the noise it came from
     unit = layout.inverted(1 / groups.scale[layout.input.name])
     lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
@@ -267,7 +268,8 @@ def _dynamics(layout: Layout) -> list[Statement]:
     chain = {u.name: u.jacobian for u in reduction.unknowns} | {"u": unit}
     companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")}
     fast = [S(n) for n in layout.fast]
-    step = implicit_step(rates, fast, parameters=chain, companion=companion)
+    ramp = ("u", S("steer_change"))
+    step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp)
     lines += step.statements
     lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
     lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]

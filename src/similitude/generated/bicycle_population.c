@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1055 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1104 at most, 5 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 81 reals, configuration 62 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -510,6 +510,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         r_star = r_star*ratio_r_star;
         r_star_plain = r_star_plain*ratio_r_star;
         const bicycle_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+        const bicycle_population_real steer_change = u_now - last_input;
         const bicycle_population_real u_plain = steer; /* measured input alone [-] */
         const bicycle_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
         const bicycle_population_real inv0 = (R(1.0)/rho);
@@ -577,6 +578,12 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real m1 = R(2.0)*E0*E1 - p1*(E1*E1);
         const bicycle_population_real g0 = H0*(R(1.0) + E0) - E1*H1*p0;
         const bicycle_population_real g1 = E1*H0 + H1*(R(1.0) + E0) - E1*H1*p1;
+        const bicycle_population_real wi0 = (-p0*(R(0.4375) + R(0.1875)*p1));
+        const bicycle_population_real wi1 = R(0.1875)*p0 - R(0.5) - p1*(R(0.4375) + R(0.1875)*p1);
+        const bicycle_population_real wh0 = i0*wi0 - i1*p0*wi1;
+        const bicycle_population_real wh1 = i0*wi1 + i1*wi0 - i1*p1*wi1;
+        const bicycle_population_real w0 = i0*wh0 - i1*p0*wh1; /* W/h in powers of J */
+        const bicycle_population_real w1 = i0*wh1 + i1*wh0 - i1*p1*wh1;
         const bicycle_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
         const bicycle_population_real M_01 = J_01*m1;
         const bicycle_population_real M_10 = J_10*m1;
@@ -585,10 +592,17 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real G_01 = J_01*g1;
         const bicycle_population_real G_10 = J_10*g1;
         const bicycle_population_real G_11 = g0 + J_11*g1;
-        const bicycle_population_real d_v_star = G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
-        const bicycle_population_real d_r_star = G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
-        const bicycle_population_real d_v_star_plain = G_00*f_v_star_plain + G_01*f_r_star_plain;
-        const bicycle_population_real d_r_star_plain = G_10*f_v_star_plain + G_11*f_r_star_plain;
+        const bicycle_population_real ramp = h*steer_change;
+        const bicycle_population_real ramp_0 = ramp*w0;
+        const bicycle_population_real ramp_1 = ramp*w1;
+        const bicycle_population_real slope1_v_star = J_00*f_v_star_u + J_01*f_r_star_u;
+        const bicycle_population_real slope1_r_star = J_10*f_v_star_u + J_11*f_r_star_u;
+        const bicycle_population_real rise_v_star = f_v_star_u*ramp_0 + ramp_1*slope1_v_star; /* the input rises or falls in a straight line [-] */
+        const bicycle_population_real rise_r_star = f_r_star_u*ramp_0 + ramp_1*slope1_r_star;
+        const bicycle_population_real d_v_star = rise_v_star + G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
+        const bicycle_population_real d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+        const bicycle_population_real d_v_star_plain = rise_v_star + G_00*f_v_star_plain + G_01*f_r_star_plain;
+        const bicycle_population_real d_r_star_plain = rise_r_star + G_10*f_v_star_plain + G_11*f_r_star_plain;
         const bicycle_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
         const bicycle_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
         const bicycle_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1055
+OPERATIONS = 1104
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -472,6 +472,7 @@ def step(config, state, sample):
         r_star = r_star*ratio_r_star
         r_star_plain = r_star_plain*ratio_r_star
         steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
+        steer_change = u_now - last_input
         u_plain = steer  # measured input alone [-]
         u = disturbance + input_offset + u_plain  # effective input [-]
         inv0 = (1.0/rho)
@@ -539,6 +540,12 @@ def step(config, state, sample):
         m1 = 2.0*E0*E1 - p1*(E1*E1)
         g0 = H0*(1.0 + E0) - E1*H1*p0
         g1 = E1*H0 + H1*(1.0 + E0) - E1*H1*p1
+        wi0 = (-p0*(0.4375 + 0.1875*p1))
+        wi1 = 0.1875*p0 - 0.5 - p1*(0.4375 + 0.1875*p1)
+        wh0 = i0*wi0 - i1*p0*wi1
+        wh1 = i0*wi1 + i1*wi0 - i1*p1*wi1
+        w0 = i0*wh0 - i1*p0*wh1  # W/h in powers of J
+        w1 = i0*wh1 + i1*wh0 - i1*p1*wh1
         M_00 = m0 + J_00*m1  # dx+/dx
         M_01 = J_01*m1
         M_10 = J_10*m1
@@ -547,10 +554,17 @@ def step(config, state, sample):
         G_01 = J_01*g1
         G_10 = J_10*g1
         G_11 = g0 + J_11*g1
-        d_v_star = G_00*f_v_star + G_01*f_r_star  # change over the step [-]
-        d_r_star = G_10*f_v_star + G_11*f_r_star  # change over the step [-]
-        d_v_star_plain = G_00*f_v_star_plain + G_01*f_r_star_plain
-        d_r_star_plain = G_10*f_v_star_plain + G_11*f_r_star_plain
+        ramp = h*steer_change
+        ramp_0 = ramp*w0
+        ramp_1 = ramp*w1
+        slope1_v_star = J_00*f_v_star_u + J_01*f_r_star_u
+        slope1_r_star = J_10*f_v_star_u + J_11*f_r_star_u
+        rise_v_star = f_v_star_u*ramp_0 + ramp_1*slope1_v_star  # the input rises or falls in a straight line [-]
+        rise_r_star = f_r_star_u*ramp_0 + ramp_1*slope1_r_star
+        d_v_star = rise_v_star + G_00*f_v_star + G_01*f_r_star  # change over the step [-]
+        d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star  # change over the step [-]
+        d_v_star_plain = rise_v_star + G_00*f_v_star_plain + G_01*f_r_star_plain
+        d_r_star_plain = rise_r_star + G_10*f_v_star_plain + G_11*f_r_star_plain
         F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
         F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
         F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1
