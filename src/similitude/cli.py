@@ -23,6 +23,7 @@ from similitude.cli_usage import (
     no_vehicle,
     out_is_a_file,
     read_mapping,
+    read_spacing,
 )
 from similitude.errors import SimilitudeError, UsageError
 
@@ -80,6 +81,10 @@ def identify(
         list[str] | None,
         typer.Option("--map", metavar="delta=SWA", help="Our name = the log's name; repeatable."),
     ] = None,
+    spacing: Annotated[
+        str | None,
+        typer.Option(metavar='"0.4 m"', help="Estimate from rows at equal distances, not times."),
+    ] = None,
     out: Annotated[
         str | None,
         typer.Option(
@@ -101,7 +106,8 @@ def identify(
         raise no_such_vehicle(vehicle, logs)
     if out is not None and Path(out).is_file():
         raise out_is_a_file(out)
-    raise typer.Exit(_identify(logs, vehicle, estimator, mapping, out=out, as_json=as_json))
+    how = {"estimator": estimator, "spacing": None if spacing is None else read_spacing(spacing)}
+    raise typer.Exit(_identify(logs, vehicle, how, mapping, out=out, as_json=as_json))
 
 
 @app.command()
@@ -146,7 +152,7 @@ def _options(
 
 
 def _identify(
-    logs: Sequence[Path], vehicle: Path, estimator: str, mapping: dict[str, str], *,
+    logs: Sequence[Path], vehicle: Path, how: dict, mapping: dict[str, str], *,
     out: str | None, as_json: bool,
 ) -> int:  # fmt: skip
     """Identify each log by itself; one that fails does not stop the others."""
@@ -162,7 +168,7 @@ def _identify(
     with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar:
         for log, directory in zip(logs, directories(logs, out), strict=True):
             try:
-                record, run = _identify_one(log, car, estimator, mapping, directory, bar)
+                record, run = _identify_one(log, car, how, mapping, directory, bar)
             except SimilitudeError as error:
                 with bar.aside():
                     _complain(error)
@@ -173,7 +179,7 @@ def _identify(
     return worst
 
 
-def _identify_one(log, car, estimator, mapping, directory, bar) -> tuple[dict, object]:
+def _identify_one(log, car, how, mapping, directory, bar) -> tuple[dict, object]:
     """Read, estimate and write one log; its summary and its run."""
     from similitude.identification import identify as identify_log
     from similitude.log import read_log
@@ -185,7 +191,7 @@ def _identify_one(log, car, estimator, mapping, directory, bar) -> tuple[dict, o
         bar.begin(f"{log.name}: reading")
         read = read_log(log, vehicle=car, mapping=mapping)
         bar.begin(f"{log.name}: estimating")
-        run = identify_log(read, car, estimator=estimator)
+        run = identify_log(read, car, **how)
         bar.begin(f"{log.name}: drawing")
         return summary(run, write_report(run, directory)), run
     finally:

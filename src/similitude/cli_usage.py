@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Sequence
 from pathlib import Path
 
-from similitude.errors import UsageError
+from similitude.errors import UnitError, UsageError
 
 ESTIMATORS = ("population", "paper")
 NOT_BUILT_YET = ("band", "output_error", "robust", "batch")
@@ -45,6 +45,39 @@ def read_mapping(pairs: Sequence[str]) -> dict[str, str]:
             )
         mapping[ours] = theirs
     return mapping
+
+
+def read_spacing(text: str) -> float:
+    """Turn "0.4 m" into metres.
+
+    Parameters
+    ----------
+    text : str
+        What `--spacing` was given.
+
+    Raises
+    ------
+    UsageError
+        It is no positive length.
+    """
+    from similitude.units import LENGTH, parse_quantity
+
+    try:
+        metres, unit = parse_quantity(text, expect=LENGTH)
+    except UnitError as error:
+        raise _no_length(text, f": {error.what}") from None
+    if unit.dimension != LENGTH or not metres > 0:
+        raise _no_length(text, "")
+    return metres
+
+
+def _no_length(text: str, why: str) -> UsageError:
+    return UsageError(
+        f"--spacing '{text}' is no positive length{why}",
+        usually="the unit is missing; a tenth to a fifth of the wheelbase is meant.",
+        paste='--spacing "0.4 m"',
+        read='docs/logs.md, "Sampling by distance"',
+    )
 
 
 def check_estimator(name: str) -> None:
