@@ -330,3 +330,23 @@ def test_biases_of_the_sensors_are_found_and_do_not_move_K():
     gain = run.handling["yaw_rate_gain"]["value"]
     bias, offset = run.nuisance["yaw_bias"].value, run.nuisance["steer_offset"].value
     assert bias + gain * offset == pytest.approx(0.006 - gain * 0.004, abs=gain * 6e-4)
+
+
+@pytest.mark.parametrize("rate", [10, 20, 100])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_slow_log_of_a_fast_car_is_not_read_too_high(rate, seed):
+    """K = 233 at 10 m/s: the yaw motion is over in 60 ms, sooner than a 10 Hz log has its next row."""
+    log = drive(seconds=90, U=10.0, K=233.0, rms=0.008, band=(0.15, 1.0), rate=rate, seed=seed)
+    run = identify(log, vehicle())
+    assert abs(np.log(run.K.value / 233.0)) < 2.6 * run.K.std / run.K.value  # 99 % of honest intervals
+
+
+@pytest.mark.parametrize("first", [np.nan, 0.0, -47.0])
+def test_a_first_row_without_a_speed_costs_that_row_only(first):
+    log = drive(seconds=12, rms=0.005)
+    speed = log.U.copy()
+    speed[0] = first
+    whole, spoilt_one = identify(log, vehicle()), identify(dataclasses.replace(log, U=speed), vehicle())
+    later = slice(200, None)  # two seconds in, both have forgotten how they began
+    apart = np.abs(np.log(spoilt_one.trace.K / whole.trace.K))[later]
+    assert apart.max() < 0.5 * whole.trace.ln_K_std[later].min()

@@ -187,6 +187,7 @@ def _gates(layout: Layout) -> list[Statement]:
     none = (Assign("usable", sp.Integer(0)), Assign("status", sp.Integer(STATUS["no_measurement"])))
     return [
         Assign("usable", sp.Integer(1)),
+        Assign("anew", sp.Integer(0), "1 where the dynamic state starts anew"),
         Assign("age", S("age") + S("dt")),
         *(
             When(
@@ -201,11 +202,12 @@ def _gates(layout: Layout) -> list[Statement]:
         When(
             S("started") < 0.5,
             (
+                Assign("anew", sp.Integer(1)),
                 Assign("last_input", S("u_now")),
                 *(Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in signals),
             ),
             (),
-            "first sample: no sample before it",
+            "no sample before it could be used",
         ),
     ]
 
@@ -222,10 +224,9 @@ def _restart(layout: Layout) -> list[Statement]:
     unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump")]
     unheard.append(Assign("surprise", sp.Integer(1)))
     half = sp.Rational(1, 2)
-    gap = sp.And(S("age") > S("gap"), S("started") > half)
+    gap = S("age") > S("gap")
     again = (Assign("status", sp.Integer(STATUS["restarted"])), Assign("anew", sp.Integer(1)))
     return [
-        Assign("anew", sp.Integer(0), "1 where the dynamic state starts anew"),
         When(sp.And(gap, S("usable") > half), again, (), "the first sample after a gap"),
         *_hidden(layout),
         When(sp.Or(gap, S("anew") > half), tuple(unheard), (), "nothing was heard for long"),
@@ -241,6 +242,7 @@ def _hidden(layout: Layout) -> list[Statement]:
         return []
     nothing = (
         Assign("anew", sp.Integer(1)),
+        Assign("started", sp.Integer(0)),
         Assign("usable", sp.Integer(0)),
         Assign("status", sp.Integer(STATUS["too_slow"])),
     )

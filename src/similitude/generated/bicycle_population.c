@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1104 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1102 at most, 5 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 81 reals, configuration 62 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -127,7 +127,7 @@ typedef struct bicycle_population_state {
     bicycle_population_real last_input;              /* [rad] input of the sample before */
     bicycle_population_real last_U;                  /* [m/s] forward speed of the sample before */
     bicycle_population_real age;                     /* [s] time since the last usable sample */
-    bicycle_population_real started;                 /* [-] 0 before the first usable sample, 1 after */
+    bicycle_population_real started;                 /* [-] 1 once a sample was used; 0 again while the scales hide the dynamics */
 } bicycle_population_state;
 
 typedef struct bicycle_population_sample {
@@ -421,6 +421,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     innovation_variance = noise_scale*noise_variance;
     if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
+        anew = R(0.0); /* 1 where the dynamic state starts anew */
         age = age + dt;
         if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
             u_now = input;
@@ -440,21 +441,22 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             usable = R(0.0);
             status = R(4.0);
         }
-        if (started < R(0.5)) { /* first sample: no sample before it */
+        if (started < R(0.5)) { /* no sample before it could be used */
+            anew = R(1.0);
             last_input = u_now;
             last_U = U_now;
         }
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
-        if ((age > gap) && (started > R(0.5)) && (usable > R(0.5))) { /* the first sample after a gap */
+        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
             status = R(5.0);
             anew = R(1.0);
         }
         if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = R(1.0);
+            started = R(0.0);
             usable = R(0.0);
             status = R(6.0);
         }
-        if (((age > gap) && (started > R(0.5))) || (anew > R(0.5))) { /* nothing was heard for long */
+        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
             excitation = R(0.0);
             excited = R(0.0);
             jump = R(0.0);

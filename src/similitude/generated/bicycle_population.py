@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1104
+OPERATIONS = 1102
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -96,7 +96,7 @@ STATE = (
     ('last_input', 'rad', 'input of the sample before', 1),
     ('last_U', 'm/s', 'forward speed of the sample before', 1),
     ('age', 's', 'time since the last usable sample', 1),
-    ('started', '-', '0 before the first usable sample, 1 after', 1),
+    ('started', '-', '1 once a sample was used; 0 again while the scales hide the dynamics', 1),
 )
 
 SAMPLE = (
@@ -389,6 +389,7 @@ def step(config, state, sample):
     innovation_variance = noise_scale*noise_variance
     if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
         usable = 1.0
+        anew = 0.0  # 1 where the dynamic state starts anew
         age = age + dt
         if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
             u_now = input
@@ -405,20 +406,21 @@ def step(config, state, sample):
         if not ((measured < output_limit) and (measured > (-output_limit))):  # no measurement
             usable = 0.0
             status = 4.0
-        if started < 0.5:  # first sample: no sample before it
+        if started < 0.5:  # no sample before it could be used
+            anew = 1.0
             last_input = u_now
             last_U = U_now
-        anew = 0.0  # 1 where the dynamic state starts anew
-        if (age > gap) and (started > 0.5) and (usable > 0.5):  # the first sample after a gap
+        if (age > gap) and (usable > 0.5):  # the first sample after a gap
             status = 5.0
             anew = 1.0
         if (10.0*(U_now*U_now) > K_prior) and (U_now > 0.0):  # the dynamics cannot be seen
             pass
         else:
             anew = 1.0
+            started = 0.0
             usable = 0.0
             status = 6.0
-        if ((age > gap) and (started > 0.5)) or (anew > 0.5):  # nothing was heard for long
+        if (age > gap) or (anew > 0.5):  # nothing was heard for long
             excitation = 0.0
             excited = 0.0
             jump = 0.0
