@@ -4,7 +4,7 @@ BIN := .venv/bin
 DEV := .venv/.installed-dev
 BENCH := .venv/.installed-bench
 
-.PHONY: demo test check bench accuracy clean
+.PHONY: demo test check bench accuracy spacing clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -22,6 +22,9 @@ bench: $(BENCH)
 
 accuracy: $(DEV)
 	$(BIN)/python scripts/accuracy.py
+
+spacing: $(DEV)
+	$(BIN)/python scripts/spacing.py
 
 clean:
 	rm -rf .venv demo-out similitude-out build dist

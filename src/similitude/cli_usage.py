@@ -76,7 +76,7 @@ def _no_length(text: str, why: str) -> UsageError:
         f"--spacing '{text}' is no positive length{why}",
         usually="the unit is missing; a tenth to a fifth of the wheelbase is meant.",
         paste='--spacing "0.4 m"',
-        read='docs/logs.md, "Sampling by distance"',
+        read='docs/filter.md, "Sampling by distance"',
     )
 
 

@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from similitude.errors import LogError, UsageError
 from similitude.log import Log
-from similitude.log_checks import FEWEST_ROWS
+from similitude.log_time import FEWEST_ROWS
 from similitude.run import Run, Trace, held
 
 LARGEST_SHARE = 0.3  # of the wheelbase; at walking pace a longer stretch hides quick steering
 KNOWN_SHARE = 0.5  # of a stretch, below which its mean is missing
-READ = 'docs/logs.md, "Sampling by distance"'
+READ = 'docs/filter.md, "Sampling by distance"'
 
 
 def by_distance(log: Log, spacing: float, *, wheelbase: float) -> Log:

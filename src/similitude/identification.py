@@ -67,7 +67,7 @@ def _by_distance(log: Log, vehicle: Vehicle, estimator: str, spacing: float) -> 
             "the paper's regression is given rows at equal times only; a spacing was asked for",
             usually="its high-pass filters are designed in Hz; the population filter takes either.",
             paste='identify(log, vehicle, spacing=0.4, estimator="population")',
-            read='docs/logs.md, "Sampling by distance"',
+            read='docs/filter.md, "Sampling by distance"',
         )
     rows = by_distance(log, spacing, wheelbase=wheelbase(vehicle))
     run = identify(rows, vehicle, estimator=estimator)
