@@ -26,20 +26,21 @@ def core(monkeypatch, tmp_path):
     spec = importlib.util.spec_from_file_location("example", HERE / "report" / "example_run.py")
     example = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(example)
-    calls = SimpleNamespace(read=[], identified=[])
+    calls = SimpleNamespace(read=[], identified=[], fixes=[])
 
     def read_vehicle(path):
         if "bad" in Path(path).name:
             raise VehicleError("b = -1 m", usually="a sign.", paste="b = 1 m", read="docs")
         return SimpleNamespace(name="car")
 
-    def read_log(path, *, vehicle, mapping):
+    def read_log(path, *, vehicle, mapping, fixes):
         calls.read.append((str(path), vehicle.name, mapping))
+        calls.fixes.append(fixes)
         if "bad" in path.name:
             raise LogError(f"{path}: no column", usually="that.", paste="r [rad/s]", read="docs")
         return SimpleNamespace(path=path)
 
-    def identify(log, vehicle, *, estimator):
+    def identify(log, vehicle, *, estimator, spacing):
         calls.identified.append(estimator)
         run = example.example_run(200, verdict="not_excited")
         run.log.path = str(log.path)
@@ -243,3 +244,17 @@ def test_a_run_that_is_stopped_while_writing_leaves_nothing(tmp_path, killed_by)
     assert time.monotonic() - start < 20
     assert process.returncode != 0
     assert {path.name for path in tmp_path.iterdir()} == {"car.toml"}
+
+
+def test_repairs_are_handed_on_listed_and_checked(core, capsys):
+    Path("a.csv").write_text("")
+    words = ("identify", "a.csv", "--vehicle", "car.toml", "--fix", "sort_time", "--fix", "drop_spikes")
+
+    assert _run(capsys, *words)[0] == 0
+    assert core.fixes == [("sort_time", "drop_spikes")]
+    code, out, _ = _run(capsys, "identify", "--fix", "list")
+    assert code == 0
+    assert "flip_steer_sign " in out
+    code, _, err = _run(capsys, *words, "--fix", "sort_tims")
+    assert code == 2
+    assert "--fix sort_time" in err

@@ -3,9 +3,18 @@
 from pathlib import Path
 
 import pytest
+import typer
 
-from similitude.cli_usage import ESTIMATORS, NOT_BUILT_YET, check_estimator, no_vehicle, read_mapping
+from similitude.cli_usage import (
+    ESTIMATORS,
+    NOT_BUILT_YET,
+    check_estimator,
+    list_fixes,
+    no_vehicle,
+    read_mapping,
+)
 from similitude.errors import UsageError
+from similitude.log_fixes import FIXES
 
 
 def test_a_mapping_is_our_name_then_the_log_s():
@@ -42,3 +51,18 @@ def test_without_a_vehicle_the_wheelbase_is_asked_for():
     error = no_vehicle([Path("drive.csv")])
     assert "wheelbase" in error.what
     assert "vehicle" in error.paste
+
+
+def test_known_repairs_pass_and_others_name_the_nearest():
+    assert list_fixes(["sort_time"]) == ["sort_time"]
+    assert list_fixes(None) is None
+    with pytest.raises(UsageError) as refused:
+        list_fixes(["flip_sign"])
+    assert refused.value.paste.startswith("--fix flip_")
+
+
+def test_the_list_of_repairs_names_each_with_its_words(capsys):
+    with pytest.raises(typer.Exit):
+        list_fixes(["list"])
+    said = capsys.readouterr().out
+    assert all(f"{name} " in said and fix.words in said for name, fix in FIXES.items())

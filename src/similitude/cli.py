@@ -19,6 +19,7 @@ import typer
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
+    list_fixes,
     no_such_vehicle,
     no_vehicle,
     out_is_a_file,
@@ -81,6 +82,16 @@ def identify(
         list[str] | None,
         typer.Option("--map", metavar="delta=SWA", help="Our name = the log's name; repeatable."),
     ] = None,
+    fixes: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fix",
+            metavar="NAME",
+            callback=list_fixes,
+            is_eager=True,
+            help="Repair the log as a message proposes; repeatable, `--fix list` names them.",
+        ),
+    ] = None,
     spacing: Annotated[
         str | None,
         typer.Option(metavar='"0.4 m"', help="Estimate from rows at equal distances, not times."),
@@ -98,7 +109,7 @@ def identify(
     ] = False,
 ) -> None:
     """Tell from driving logs how stiff the tyres are, and how sure that is."""
-    mapping = read_mapping(renamed or ())
+    reading = {"mapping": read_mapping(renamed or ()), "fixes": tuple(fixes or ())}
     check_estimator(estimator)
     if vehicle is None:
         raise no_vehicle(logs)
@@ -107,7 +118,7 @@ def identify(
     if out is not None and Path(out).is_file():
         raise out_is_a_file(out)
     how = {"estimator": estimator, "spacing": None if spacing is None else read_spacing(spacing)}
-    raise typer.Exit(_identify(logs, vehicle, how, mapping, out=out, as_json=as_json))
+    raise typer.Exit(_identify(logs, vehicle, how, reading, out=out, as_json=as_json))
 
 
 @app.command()
@@ -152,7 +163,7 @@ def _options(
 
 
 def _identify(
-    logs: Sequence[Path], vehicle: Path, how: dict, mapping: dict[str, str], *,
+    logs: Sequence[Path], vehicle: Path, how: dict, reading: dict, *,
     out: str | None, as_json: bool,
 ) -> int:  # fmt: skip
     """Identify each log by itself; one that fails does not stop the others."""
@@ -168,7 +179,7 @@ def _identify(
     with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar:
         for log, directory in zip(logs, directories(logs, out), strict=True):
             try:
-                record, run = _identify_one(log, car, how, mapping, directory, bar)
+                record, run = _identify_one(log, car, how, reading, directory, bar)
             except SimilitudeError as error:
                 with bar.aside():
                     _complain(error)
@@ -179,7 +190,7 @@ def _identify(
     return worst
 
 
-def _identify_one(log, car, how, mapping, directory, bar) -> tuple[dict, object]:
+def _identify_one(log, car, how, reading, directory, bar) -> tuple[dict, object]:
     """Read, estimate and write one log; its summary and its run."""
     from similitude.identification import identify as identify_log
     from similitude.log import read_log
@@ -189,7 +200,7 @@ def _identify_one(log, car, how, mapping, directory, bar) -> tuple[dict, object]
     steps_before = bar.done
     try:
         bar.begin(f"{log.name}: reading")
-        read = read_log(log, vehicle=car, mapping=mapping)
+        read = read_log(log, vehicle=car, **reading)
         bar.begin(f"{log.name}: estimating")
         run = identify_log(read, car, **how)
         bar.begin(f"{log.name}: drawing")

@@ -7,6 +7,8 @@ import shlex
 from collections.abc import Sequence
 from pathlib import Path
 
+import typer
+
 from similitude.errors import UnitError, UsageError
 
 ESTIMATORS = ("population", "paper")
@@ -78,6 +80,38 @@ def _no_length(text: str, why: str) -> UsageError:
         paste='--spacing "0.4 m"',
         read='docs/filter.md, "Sampling by distance"',
     )
+
+
+def list_fixes(names: list[str] | None) -> list[str] | None:
+    """Print the repairs and leave where `--fix list` asks for them, and refuse unknown names.
+
+    Parameters
+    ----------
+    names : list of str or None
+        What each `--fix` was given.
+
+    Returns
+    -------
+    list of str or None
+        The same.
+
+    Raises
+    ------
+    UsageError
+        There is no repair of that name.
+    typer.Exit
+        The list was printed.
+    """
+    if not names:
+        return names
+    from similitude.log_fixes import FIXES, check_fixes
+
+    if "list" in names:
+        for name, fix in FIXES.items():
+            typer.echo(f"{name:<22} {fix.words}")
+        raise typer.Exit
+    check_fixes(names)
+    return names
 
 
 def check_estimator(name: str) -> None:

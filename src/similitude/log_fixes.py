@@ -18,10 +18,12 @@ from similitude.errors import UsageError, shown
 from similitude.finding import Finding
 from similitude.log_cells import slower_by
 from similitude.log_columns import Column, column_of
+from similitude.log_sensors import clipped_rows, spike_rows, straight_rows, stuck_rows
 from similitude.log_time import counter_period, restarts
 from similitude.units import parse_unit
 
 Values = dict[str, np.ndarray]
+SENSORS = ("delta", "steering_wheel", "r", "U")
 
 
 @dataclass(frozen=True)
@@ -146,6 +148,21 @@ def _hold_slow_columns(values: Values, columns: Mapping[str, Column]) -> tuple[V
     return held, ", ".join(said) or "no column is regularly slower than the file"
 
 
+def _emptied(find: Callable[[Values, str], np.ndarray], names: Sequence[str]):
+    """The repair that leaves cells empty where a detector finds that nothing was measured."""
+
+    def apply(values: Values, columns: Mapping[str, Column]) -> tuple[Values, str]:
+        emptied, said = dict(values), []
+        for name in [name for name in names if name in values]:
+            rows = find(values, name)
+            emptied[name] = np.where(rows, np.nan, values[name])
+            if rows.any():
+                said.append(f"{np.count_nonzero(rows)} cells of {column_of(name, columns).header} left empty")
+        return emptied, ", ".join(said) or "no such cell found"
+
+    return apply
+
+
 def _reads(name: str, unit: str) -> Callable[[Values, Mapping[str, Column]], tuple[Values, str]]:
     """The repair that reads the numbers of a column in another unit than its header says."""
 
@@ -191,6 +208,22 @@ FIXES = {
     "speed_is_m_per_s": Fix("read the speed in m/s", "U", _reads("U", "m/s")),
     "flip_steer_sign": Fix("turn the sign of the steer round", "delta", _turned("delta")),
     "flip_yaw_rate_sign": Fix("turn the sign of the yaw rate round", "r", _turned("r")),
+    "drop_stuck": Fix("leave cells empty in which a sensor is stuck", "t", _emptied(stuck_rows, SENSORS)),
+    "drop_interpolated": Fix(
+        "leave cells of the yaw rate empty that were filled in by interpolation",
+        "t",
+        _emptied(lambda values, name: straight_rows(values["t"], values[name]), ("r",)),
+    ),
+    "drop_clipped": Fix(
+        "leave cells empty in which a sensor is at the end of its range",
+        "t",
+        _emptied(lambda values, name: clipped_rows(values[name]), ("delta", "steering_wheel", "r")),
+    ),
+    "drop_spikes": Fix(
+        "leave single cells empty that stand out from both neighbours",
+        "t",
+        _emptied(lambda values, name: spike_rows(values[name]), SENSORS),
+    ),
     "hold_slow_columns": Fix(
         "hold steer and speed from one value to the next where they are slower than the file",
         "t",

@@ -22,6 +22,9 @@ from similitude.log_cells import check_column
 from similitude.log_columns import Column, choose_columns, column_of
 from similitude.log_fixes import apply_fixes, check_fixes
 from similitude.log_plausibility import check_speed, check_units
+from similitude.log_response import check_response
+from similitude.log_sensors import check_sensors
+from similitude.log_speed import check_speed_signal
 from similitude.log_time import FEWEST_ROWS, check_time
 from similitude.readers import Table, open_table
 from similitude.vehicle_file import Vehicle
@@ -113,7 +116,8 @@ def survey(
     sources = {name: _source(column) for name, column in columns.items()}
     findings += _divide_steering_wheel(values, sources, columns, vehicle, path.name)
     values, changed = apply_fixes(wanted, values, columns, findings)
-    findings += _check(values, columns, path.name)
+    length = None if vehicle is None or vehicle.L is None else vehicle.L.value
+    findings += _check(values, columns, path.name, length)
     for name in columns.keys() - values.keys():
         sources.pop(name, None)
     return Survey(path.stem, path, table.headers, columns, values, sources, tuple(findings), changed)
@@ -178,23 +182,43 @@ def _divide_steering_wheel(
     return []
 
 
-def _check(values: dict[str, np.ndarray], columns: Mapping[str, Column], file: str) -> list[Finding]:
+def _check(
+    values: dict[str, np.ndarray], columns: Mapping[str, Column], file: str, wheelbase: float | None
+) -> list[Finding]:
     findings: list[Finding] = []
-    time = columns.get("t")
     if "t" in values:
+        time = columns["t"]
         findings += check_time(values["t"], header=time.header, factor=time.unit.factor, file=file)
+    in_order = "t" in values and not any(one.certain for one in findings)
     if any(column.size < FEWEST_ROWS for column in values.values()):
         return findings
+    silent = set()
     for name in [name for name in values if name != "t"]:
-        held = name in ("delta", "steering_wheel", "U")
-        header = column_of(name, columns).header
-        met = check_column(values[name], header=header, file=file, may_rest=name == "U", held=held)
-        if name == "ay" and any(one.certain for one in met):
-            # The only optional column: a bad one is left out and said, instead of refusing the log.
-            met = [replace(one, certain=False, what=f"{one.what}; ay is not used") for one in met]
-            del values["ay"]
+        met = _check_column(name, values, columns, file)
+        silent |= {name} if any(one.certain for one in met) or name not in values else set()
         findings += met
-    findings += check_units(values, columns, file=file)
-    if "U" in values:
-        findings += check_speed(values["U"], header=columns["U"].header)
+    units = check_units(values, columns, file=file)
+    findings += units
+    sound = {name: column for name, column in values.items() if name not in silent}
+    if "U" in sound:
+        findings += check_speed(sound["U"], header=columns["U"].header)
+    if in_order:
+        findings += check_sensors(sound, columns)
+        if "U" in sound:
+            findings += check_speed_signal(sound, columns, wheelbase=wheelbase)
+        if {"delta", "r", "U"} <= sound.keys() and not units:
+            findings += check_response(sound, columns, wheelbase=wheelbase, file=file)
     return findings
+
+
+def _check_column(
+    name: str, values: dict[str, np.ndarray], columns: Mapping[str, Column], file: str
+) -> list[Finding]:
+    held = name in ("delta", "steering_wheel", "U")
+    header = column_of(name, columns).header
+    met = check_column(values[name], header=header, file=file, may_rest=name == "U", held=held)
+    if name == "ay" and any(one.certain for one in met):
+        # The only optional column: a bad one is left out and said, instead of refusing the log.
+        met = [replace(one, certain=False, what=f"{one.what}; ay is not used") for one in met]
+        del values["ay"]
+    return met

@@ -27,7 +27,6 @@ COUNTERS = (
     (2**32 * 1e-6, "a 32-bit counter of us"),
     (2**32 * 1e-3, "a 32-bit counter of ms"),
     (2**32 * 1e-9, "a 32-bit counter of ns"),
-    (2**24 * 1e-6, "a 24-bit counter of us"),
     (60.0, "seconds of the minute"),
     (3600.0, "seconds of the hour"),
     (86400.0, "seconds of the day"),
@@ -87,8 +86,9 @@ def restarts(t: np.ndarray) -> np.ndarray:
 def counter_period(fall: float, usual: float) -> float | None:
     """Return the period [s] of the counter whose start explains a fall of time [s], or None."""
     for period, _ in COUNTERS:
-        # A sample or a second may be lost just there; the step across must still look like a step.
-        if 0 < period - fall <= max(20 * usual, 1.0) and period > 50 * usual:
+        # The step across must look like a step, give or take a few lost samples; a looser rule takes
+        # two recordings of just such a length for a counter.
+        if 0 < period - fall <= 5 * usual and period > 50 * usual:
             return period
     return None
 

@@ -78,7 +78,7 @@ def example_run(
     return SimpleNamespace(
         log=SimpleNamespace(
             name="ring_road", path=Path("logs/ring_road.csv"), samples=samples,
-            duration=float(t[-1]), rate=100.0, t=t, warnings=(),
+            duration=float(t[-1]), rate=100.0, t=t, warnings=(), fixes=(),
             sources={"t": "t [s]", "delta": "steering_wheel [deg] / 15.3", "r": "yaw_rate [deg/s]",
                      "U": "speed [km/h] / 3.6"},
         ),

@@ -62,6 +62,7 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
             "alarms": run.alarms,
             "prediction": run.prediction,
             "handling": run.handling,
+            "fixes": run.log.fixes,
             "warnings": run.warnings,
             "assumed": {
                 name: {"value": given.value, "unit": given.unit, "from": given.origin}

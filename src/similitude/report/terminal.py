@@ -87,6 +87,8 @@ def page(run: Run, *, files: Mapping[str, str] | None = None) -> Group:
         parts.append(_section("Prediction of the yaw rate", _prediction(run.prediction)))
     if run.assumed:
         parts.append(_section("Taken as given", _assumed(run)))
+    if run.log.fixes:
+        parts.append(_section("Repaired as asked", _bullets(run.log.fixes), style="bold yellow"))
     if run.warnings:
         parts.append(_section("Warnings", _bullets(run.warnings), style="bold yellow"))
     if files:
