@@ -3,8 +3,11 @@ PYTHON ?= python3
 BIN := .venv/bin
 DEV := .venv/.installed-dev
 BENCH := .venv/.installed-bench
+FUZZ := .venv/.installed-fuzz
+# Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
+FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check bench accuracy spacing clean
+.PHONY: demo test check fuzz bench accuracy spacing clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -17,6 +20,9 @@ check: $(DEV)
 	$(BIN)/ruff format --check .
 	$(BIN)/python -m pytest -q -n auto -m slow
 
+fuzz: $(FUZZ)
+	$(BIN)/python -m fuzz --seconds $(FUZZ_SECONDS)
+
 bench: $(BENCH)
 	$(BIN)/python -m bench
 
@@ -26,8 +32,12 @@ accuracy: $(DEV)
 spacing: $(DEV)
 	$(BIN)/python scripts/spacing.py
 
+$(FUZZ): pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,fuzz]'
+	@touch $@
+
 clean:
-	rm -rf .venv demo-out similitude-out build dist
+	rm -rf .venv demo-out similitude-out fuzz-failures build dist
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \

@@ -66,3 +66,27 @@ def test_lengths_within_their_deviations_are_fine():
     values = of(L="2.70 ± 0.05 m", a="1.20 ± 0.05 m", b="1.60 ± 0.05 m")
 
     assert find_fault(values, population="passenger_cars") is None
+
+
+@pytest.mark.parametrize(
+    ("lines", "key"),
+    [
+        ({"L": "2.7 m", "a": "1 mm"}, "a"),
+        ({"L": "2.7 m", "b": "0.3 m"}, "b"),
+        ({"a": "0.2 m", "b": "2.5 m"}, "a"),
+        (
+            {"L": "2.7 m", "a": "1.2 m", "b": "1.5 m", "m": "1500 kg", "Caf": "90 kN/rad", "Car": "9 kN/rad"},
+            "Car",
+        ),
+        ({"L": "2.7 m", "a": "1.2 m", "b": "1.5 m", "Caf": "1 N/rad", "Car": "1e9 N/rad"}, "Car"),
+    ],
+)
+def test_a_centre_of_gravity_or_a_balance_no_car_has(lines, key):
+    fault = find_fault(of(**lines), population="passenger_cars")
+    assert fault is not None and fault.key == key
+
+
+def test_no_line_to_paste_holds_what_is_refused_again():
+    for lines in ({"L": "1e300 m"}, {"m": "0 kg", "L": "2.7 m"}, {"yaw_rate_noise": "0 rad/s"}):
+        fault = find_fault(of(**lines), population="passenger_cars")
+        assert "inf" not in fault.paste and '"1 ' not in fault.paste

@@ -154,3 +154,11 @@ def test_any_damage_is_a_vehicle_or_a_refusal(folder, tail):
         read(folder, b'L = "2.7 m"\nm = "20' + tail)
     except SimilitudeError as error:
         assert all([error.what, error.usually, error.paste, error.read])
+
+
+@pytest.mark.parametrize("line", ['population = ["passenger_cars"]', "[population]", "population = 3"])
+def test_a_population_that_is_no_text_is_refused(tmp_path, line):
+    path = tmp_path / "car.toml"
+    path.write_text(f'L = "2.7 m"\n{line}\n')
+    with pytest.raises(VehicleError, match="is not known"):
+        read_vehicle(path)

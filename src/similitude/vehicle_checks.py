@@ -59,7 +59,8 @@ def find_fault(values: Mapping[str, Uncertain], *, population: str) -> Fault | N
     -------
     Fault or None
     """
-    faults = (*_signs(values), *_axles(values), *_size(values, population), *_ratios(values))
+    # One after the other: the later ones divide by what the earlier ones have found to be sound.
+    faults = _signs(values) or _axles(values) or _size(values, population) or _ratios(values)
     return faults[0] if faults else None
 
 
@@ -70,7 +71,7 @@ def _signs(values: Mapping[str, Uncertain]) -> list[Fault]:
             faults.append(Fault(
                 key, f"{key} = {held.value:.6g} {_si(key)} is not positive",
                 "a sign slipped in; distances, masses and stiffnesses are positive.",
-                _line(key, abs(held.value) or 1.0),
+                _line(key, abs(held.value)) if held.value else _EXAMPLES[key],
             ))  # fmt: skip
         elif held.sd is not None and held.sd >= held.value:
             faults.append(Fault(
@@ -99,18 +100,33 @@ def _axles(values: Mapping[str, Uncertain]) -> list[Fault]:
                 f"the {'front' if key == 'a' else 'rear'} axle.",
                 _line(key, 0.45 * length.value),
             )]  # fmt: skip
-    if length is None or front is None or rear is None:
+    if length is not None and front is not None and rear is not None:
+        total = front.value + rear.value
+        spread = sum((held.sd or 0.0) ** 2 for held in (length, front, rear)) ** 0.5
+        if abs(total - length.value) > max(_ROUNDING * length.value, 3 * spread):
+            return [Fault(
+                "L", f"L = {length.value:.6g} m is not a + b = {front.value:.6g} m + {rear.value:.6g} m "
+                f"= {total:.6g} m",
+                "one of the three belongs to another car or another load; two of them are enough.",
+                _line("L", total),
+            )]  # fmt: skip
+    return _centre(length, front, rear)
+
+
+def _centre(length: Uncertain | None, front: Uncertain | None, rear: Uncertain | None) -> list[Fault]:
+    """Whether the centre of gravity lies where a road vehicle can have it."""
+    if length is None and (front is None or rear is None):
         return []
-    total = front.value + rear.value
-    spread = sum((held.sd or 0.0) ** 2 for held in (length, front, rear)) ** 0.5
-    if abs(total - length.value) <= max(_ROUNDING * length.value, 3 * spread):
-        return []
-    return [Fault(
-        "L", f"L = {length.value:.6g} m is not a + b = {front.value:.6g} m + {rear.value:.6g} m "
-        f"= {total:.6g} m",
-        "one of the three belongs to another car or another load; two of them are enough.",
-        _line("L", total),
-    )]  # fmt: skip
+    whole = length.value if length is not None else front.value + rear.value
+    for key, part in (("a", front), ("b", rear)):
+        if part is not None and not 0.2 <= part.value / whole <= 0.8:
+            return [Fault(
+                key, f"{key} = {part.value:.6g} m is {part.value / whole:.2g} of the wheelbase, "
+                f"{whole:.6g} m; road vehicles lie between 0.2 and 0.8",
+                f"{key} was measured from another point, or is in another unit.",
+                _line(key, 0.45 * whole),
+            )]  # fmt: skip
+    return []
 
 
 def _size(values: Mapping[str, Uncertain], population: str) -> list[Fault]:
@@ -129,8 +145,10 @@ def _size(values: Mapping[str, Uncertain], population: str) -> list[Fault]:
                 return [Fault(key, what, "the car is of another population.",
                               f'population = "{name}"')]  # fmt: skip
         up = held.value * factor
-        guess = up if bounds[0] <= up <= bounds[1] else held.value / factor
-        return [Fault(key, what, f"{unit} and {other} were exchanged.", _line(key, guess))]
+        for guess in (up, held.value / factor):
+            if bounds[0] <= guess <= bounds[1]:
+                return [Fault(key, what, f"{unit} and {other} were exchanged.", _line(key, guess))]
+        return [Fault(key, what, "a digit or the unit is wrong.", _EXAMPLES[key])]
     return []
 
 
@@ -163,8 +181,32 @@ def _ratios(values: Mapping[str, Uncertain]) -> list[Fault]:
                 f'{key} = "{held.value:.6g} N/deg"' if coefficient < 0.3
                 else _line(key, 5 * mass.value * _GRAVITY),
             )]  # fmt: skip
-    return []
+    return _balance(values)
 
+
+def _balance(values: Mapping[str, Uncertain]) -> list[Fault]:
+    """Whether the axles' stiffnesses can belong to one car: eta = Car b/(Caf a), > 1 understeers."""
+    if not {"Caf", "Car", "a", "b"} <= values.keys():
+        return []
+    front, rear, a, b = (values[key].value for key in ("Caf", "Car", "a", "b"))
+    eta = rear * b / (front * a)
+    if 0.4 <= eta <= 5.0:
+        return []
+    return [Fault(
+        "Car", f"Car b/(Caf a) = {rear:.6g} {b:.4g}/({front:.6g} {a:.4g}) = {eta:.3g}; cars lie "
+        "between 1.1 and 1.9",
+        "one axle is per tyre or per degree, or the two axles were exchanged.",
+        _line("Car", 1.4 * front * a / b),
+    )]  # fmt: skip
+
+
+# A line as it looks on an ordinary car, where the value given holds no hint of the one meant.
+_EXAMPLES = {
+    "L": 'L = "2.69 m"', "a": 'a = "1.19 m"', "b": 'b = "1.50 m"', "m": 'm = "1650 kg"',
+    "Iz": 'Iz = "2800 kg m^2"', "Caf": 'Caf = "90 kN/rad"', "Car": 'Car = "110 kN/rad"',
+    "steering_ratio": "steering_ratio = 15.3", "steer_lag": 'steer_lag = "20 ms"',
+    "yaw_rate_noise": 'yaw_rate_noise = "0.15 deg/s"',
+}  # fmt: skip
 
 _SI_UNITS = {
     "L": "m", "a": "m", "b": "m", "m": "kg", "Iz": "kg m^2", "Caf": "N/rad", "Car": "N/rad",

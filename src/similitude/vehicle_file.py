@@ -136,7 +136,8 @@ def _check_words(path: Path, name: object, population: object, text: str) -> Non
             paste=f'name = "{name if isinstance(name, (int, float)) else "my car"}"',
             read=READ,
         )
-    if population is not None and population not in POPULATIONS:
+    known = isinstance(population, str) and population in POPULATIONS
+    if population is not None and not known:
         near = difflib.get_close_matches(str(population), POPULATIONS, n=1, cutoff=0.0)
         raise VehicleError(
             f"{path.name}{line_of('population', text)}: population {shown(population)} is not "
