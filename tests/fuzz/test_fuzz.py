@@ -5,7 +5,6 @@ import sys
 from pathlib import Path
 
 import pytest
-
 from fuzz.__main__ import seeds
 
 ROOT = Path(__file__).parents[2]
