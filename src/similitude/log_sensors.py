@@ -24,6 +24,7 @@ MOST_REPEATS = 0.5  # of the pairs of neighbours; above, a column is held or coa
 MOST_TIES = 0.05  # of the pairs of neighbours, away from the ends of the range
 FEWEST_CLIPPED = 6  # rows at one end
 ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
+KINK = 30.0  # times the rounding; a smooth signal bends a little everywhere, a drawn one at corners
 NOISE_TURNS = 0.4  # white noise bends the other way 73 times in 100, a smooth signal rarely
 SPIKE_NOISE = 12.0  # sd of the noise
 SPIKE_SHARE = 0.25  # of the range in which 99 % of the values lie
@@ -158,16 +159,19 @@ def straight_rows(t: np.ndarray, x: np.ndarray) -> np.ndarray:
     rounding = ROUNDING * np.maximum(np.abs(x[:-2]), np.abs(x[2:]))
     straight = (np.abs(bend) <= rounding) & (np.abs(x[2:] - x[:-2]) > 4 * rounding)
     starts, stops = runs(straight)
-    if not starts.size or not _is_noise(bend[~straight & np.isfinite(bend)]):
+    if not starts.size:
         return rows
     seconds = t[np.minimum(stops + 1, t.size - 1)] - t[starts]
     long = seconds > SHORTEST_LINE
     elsewhere = straight.size - int((stops - starts)[long].sum())
     by_chance = int((stops - starts)[~long].sum()) / max(elsewhere, 1)
-    if by_chance > MOST_REPEATS:
-        long[:] = True  # every few rows one was measured, and the others were filled in
-    else:
+    bent = ~straight & np.isfinite(bend)
+    if by_chance > MOST_REPEATS and np.median(np.abs(bend[bent]) / (rounding[bent] + 1e-300)) > KINK:
+        long[:] = True  # every few rows one was measured, and lines lead from one to the next
+    elif _is_noise(bend[bent]):
         long &= stops - starts >= _longest_by_chance(by_chance, straight.size)
+    else:
+        return rows
     return _rows(starts[long] + 1, stops[long] + 1, x.size)
 
 
