@@ -17,7 +17,7 @@ from similitude.cli import main
 from similitude.errors import LogError, VehicleError
 
 HERE = Path(__file__).parent
-OURS = {"estimate.parquet", "plot.png", "summary.json"}
+OURS = {"estimate.parquet", "plot.png", "report.html", "summary.json"}
 
 
 @pytest.fixture

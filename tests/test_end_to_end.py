@@ -108,9 +108,10 @@ def test_the_numbers_of_the_json_fit_each_other(answers, name):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_files_are_there_and_the_table_has_a_whole_row_for_each_row(answers, name):
     a = answers[name]
-    assert a["files"].keys() == {"estimate", "summary", "plot"}
+    assert a["files"].keys() == {"estimate", "summary", "plot", "report"}
     files = {kind: Path(path) for kind, path in a["files"].items()}
-    assert {path.name for path in files.values()} == {"estimate.parquet", "summary.json", "plot.png"}
+    wanted = {"estimate.parquet", "summary.json", "plot.png", "report.html"}
+    assert {path.name for path in files.values()} == wanted
     assert json.loads(files["summary"].read_text("utf-8")) == a
     assert files["plot"].read_bytes().startswith(b"\x89PNG")
     assert {path.name for path in files["plot"].parent.iterdir()} >= {path.name for path in files.values()}

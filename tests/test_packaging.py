@@ -1,4 +1,4 @@
-"""What `pip install` gets: the package with its generated C, and not the data or the tests."""
+"""What `pip install` gets: the package with generated C and page parts, and not the data or the tests."""
 
 import pathlib
 import subprocess
@@ -33,6 +33,17 @@ def test_the_wheel_carries_the_generated_c_and_nothing_but_the_package(built):
     assert generated and generated <= set(names)
     assert {name.split("/")[0].split("-")[0] for name in names} == {"similitude"}
     assert any(name.endswith("licenses/LICENSE") for name in names)
+
+
+@pytest.mark.slow
+def test_the_wheel_carries_what_an_html_page_is_made_of(built):
+    names = set(zipfile.ZipFile(built("wheel")).namelist())
+    source = ROOT / "src"
+    report = source / "similitude" / "report"
+    wanted = [*report.glob("html_page.*"), *(report / "vendor" / "uplot").iterdir()]
+
+    assert {"html_page.css", "html_page.js", "LICENSE", "uPlot.iife.min.js"} <= {p.name for p in wanted}
+    assert {path.relative_to(source).as_posix() for path in wanted} <= names
 
 
 @pytest.mark.slow

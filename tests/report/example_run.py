@@ -79,6 +79,7 @@ def example_run(
         log=SimpleNamespace(
             name="ring_road", path=Path("logs/ring_road.csv"), samples=samples,
             duration=float(t[-1]), rate=100.0, t=t, warnings=(), fixes=(),
+            delta=r * 2.69 / U, r=r_measured, U=U, ay=None,
             sources={"t": "t [s]", "delta": "steering_wheel [deg] / 15.3", "r": "yaw_rate [deg/s]",
                      "U": "speed [km/h] / 3.6"},
         ),

@@ -8,7 +8,7 @@ from similitude.errors import UsageError
 from similitude.report import files
 from similitude.report.files import directories, write_report
 
-OURS = {"estimate.parquet", "plot.png", "summary.json"}
+OURS = {"estimate.parquet", "plot.png", "report.html", "summary.json"}
 
 
 def _names(folder):
@@ -33,7 +33,7 @@ def test_older_files_of_ours_are_replaced_and_those_of_others_stay(example_run, 
     assert pyarrow.parquet.read_table(tmp_path / "estimate.parquet").num_rows == 200
 
 
-@pytest.mark.parametrize("stage", ["write_estimate", "save_plot", "json_page"])
+@pytest.mark.parametrize("stage", ["write_estimate", "save_plot", "html_report", "json_page"])
 @pytest.mark.parametrize("fault", [RuntimeError, KeyboardInterrupt])
 def test_a_failure_half_way_leaves_nothing_at_all(example_run, tmp_path, monkeypatch, stage, fault):
     def fail(*_):

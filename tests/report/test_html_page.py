@@ -11,8 +11,10 @@ from similitude.report.html_page import (
     aside,
     badge,
     bullets,
+    details,
     facts,
     figure,
+    interval,
     joined,
     lead,
     markup,
@@ -105,6 +107,21 @@ def test_the_anchor_of_a_section(title, wanted):
 def test_a_caption_says_when_extremes_stand_for_samples(chart):
     long = Chart("Speed", "speed", np.arange(9000.0), (Line("v", np.arange(9000.0)),))
 
-    assert "9000 samples, drawn by their extremes" in figure("speed", long)
+    assert "9000 samples by their extremes" in figure("speed", long)
     assert "extremes" not in figure("speed", chart)
     assert "speed [m/s]" in figure("speed", chart)
+
+
+def test_a_bar_lies_within_the_picture_on_one_scale(strict_html):
+    drawn = interval((2.0, 4.0), (0.0, 8.0))
+
+    assert strict_html(drawn)
+    assert re.findall(r' (?:x|width)="([\d.]+)"', drawn) == ["0.00", "100.00", "25.00", "25.00"]
+    assert strict_html(interval((1.0, 1.0), (1.0, 1.0)))
+
+
+def test_details_are_closed(strict_html):
+    closed = details("<more>", paragraph("inside"))
+
+    assert strict_html(closed).text == "<more> inside"
+    assert "open" not in closed

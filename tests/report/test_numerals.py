@@ -1,4 +1,5 @@
 import math
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
@@ -6,6 +7,7 @@ from hypothesis import strategies as st
 
 from similitude.report.numerals import (
     for_people,
+    narrower,
     plain,
     pretty_name,
     pretty_unit,
@@ -82,3 +84,13 @@ def test_names_and_given_numbers():
     assert [stated(x) for x in (2.69, 2010.0, 100.0, 0.1)] == ["2.69", "2010", "100", "0.1"]
     assert plain(0.0) == "0"
     assert plain(1.5e12) == "1.50e+12"
+
+
+@pytest.mark.parametrize(
+    ("value", "std", "share"),
+    [(10.0, 1.0, 0.8), (20.0, 2.0, 0.8), (10.0, 5.0, 0.0), (10.0, 9.0, 0.0), (10.0, 0.0, 1.0)],
+)
+def test_narrower_counts_the_spread_against_the_value(value, std, share):
+    group = SimpleNamespace(value=value, std=std, prior_value=100.0, prior_std=50.0)
+
+    assert narrower(group) == pytest.approx(share)

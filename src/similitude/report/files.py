@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from similitude.errors import UsageError
+from similitude.report.html_report import html_report
 from similitude.report.plot import save_plot
 from similitude.report.summary import json_page, summary
 from similitude.report.table import write_estimate
@@ -23,11 +24,16 @@ if TYPE_CHECKING:
     from similitude.run import Run
 
 DEFAULT_DIRECTORY = "similitude-out"
-FILE_NAMES = {"estimate": "estimate.parquet", "plot": "plot.png", "summary": "summary.json"}
+FILE_NAMES = {  # in the order they are moved
+    "estimate": "estimate.parquet",
+    "plot": "plot.png",
+    "report": "report.html",
+    "summary": "summary.json",
+}
 
 
 def write_report(run: Run, directory: str | os.PathLike[str]) -> dict[str, str]:
-    """Write estimate, picture and summary of a run into a folder.
+    """Write estimate, picture, page and summary of a run into a folder.
 
     Parameters
     ----------
@@ -40,7 +46,7 @@ def write_report(run: Run, directory: str | os.PathLike[str]) -> dict[str, str]:
     Returns
     -------
     dict of str to str
-        Kind ("estimate", "plot", "summary") to path, as the summary lists them.
+        Kind ("estimate", "plot", "report", "summary") to path, as the summary lists them.
 
     Raises
     ------
@@ -102,14 +108,15 @@ def directories(logs: Sequence[str | os.PathLike[str]], out: str | None) -> list
 def _build(run: Run, building: Path, files: dict[str, str]) -> None:
     write_estimate(run, building / FILE_NAMES["estimate"])
     save_plot(run, building / FILE_NAMES["plot"])
-    page = json_page(summary(run, files))
-    (building / FILE_NAMES["summary"]).write_text(page, encoding="utf-8", newline="\n")
+    record = summary(run, files)
+    for kind, text in (("report", html_report(run, record)), ("summary", json_page(record))):
+        (building / FILE_NAMES[kind]).write_text(text, encoding="utf-8", newline="\n")
 
 
 def _move(building: Path, directory: Path) -> None:
     (directory / FILE_NAMES["summary"]).unlink(missing_ok=True)
-    for kind in ("estimate", "plot", "summary"):
-        os.replace(building / FILE_NAMES[kind], directory / FILE_NAMES[kind])
+    for name in FILE_NAMES.values():
+        os.replace(building / name, directory / name)
 
 
 def _make_directories(directory: Path, made: list[Path]) -> None:

@@ -30,7 +30,7 @@ class Line:
 
     Parameters
     ----------
-    label : str      in the legend, any text
+    label : str      in the legend, any text; empty for a line that needs no entry there
     y : (n,)         values in the chart's unit; NaN where there is none, which breaks the line
     colour : str     one of `COLOURS`
     kind : str       ``line``, ``points`` or ``bars`` (one bar at each x)
@@ -48,7 +48,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """An area between two edges, (n,) each and finite, or two numbers for a constant one."""
+    """An area between two edges, (n,) each and finite, or two numbers; without a label, no legend entry."""
 
     label: str
     lower: np.ndarray | float

@@ -84,8 +84,9 @@
   function xScale(chart, onPaper) {
     const [first, last] = chart.spec.x_range;
     const room = chart.spec.lines.some(line => line.kind === "bars") ? 0.02 * (last - first) : 0;
+    const drawn = columns(chart.spec)[0];  // may begin after the first sample: extremes stand for it
     const range = (_, from, to) => {
-      const all = from == null || (from <= first && to >= last);
+      const all = from == null || (from <= drawn[0] && to >= drawn[drawn.length - 1]);
       if (onPaper) return [first - room, last + room];
       // Here, before the y axes are ranged: they ask whether the chart is zoomed.
       if (all) delete zoom[group(chart)]; else zoom[group(chart)] = [from, to];
@@ -104,7 +105,7 @@
       label: spec.x_label + (spec.x_unit ? ` [${spec.x_unit}]` : ""), labelSize: 16 * k, labelGap: 0,
       labelFont: `${11 * k}px system-ui, sans-serif`, grid: { show: false },
     };
-    const y = { ...look, size: 52 * k, space: 30 * k, values: (_, ticks) => ticks.map(number) };
+    const y = { ...look, size: 52 * k, space: Math.min(30, spec.height / 6) * k, values: (_, ticks) => ticks.map(number) };
     if (spec.log) {
       y.splits = (_, axis, low, high) => logTicks(low, high);
       y.filter = (_, ticks) => ticks;
@@ -181,12 +182,13 @@
     return mark;
   }
 
-  function entry(chart, name, label, isArea, columnsOfIt) {
+  function entry(chart, drawn, isArea, columnsOfIt) {
     const button = document.createElement("button");
+    button.hidden = !drawn.label;
     button.type = "button";
     button.title = "show or hide";
     button.setAttribute("aria-pressed", String(!chart.hidden.has(columnsOfIt[0])));
-    button.append(swatch(name, isArea), label, document.createElement("output"));
+    button.append(swatch(drawn.colour, isArea), drawn.label, document.createElement("output"));
     button.addEventListener("click", () => {
       for (const i of columnsOfIt) if (!chart.hidden.delete(i)) chart.hidden.add(i);
       draw(chart);
@@ -198,9 +200,9 @@
     const { spec, legend } = chart;
     const when = document.createElement("span");
     when.append(document.createElement("output"));
-    const areas = spec.bands.map((band, i) => entry(chart, band.colour, band.label, true, [1 + 2 * i, 2 + 2 * i]));
+    const areas = spec.bands.map((band, i) => entry(chart, band, true, [1 + 2 * i, 2 + 2 * i]));
     const first = 1 + 2 * spec.bands.length;
-    const lines = spec.lines.map((line, i) => entry(chart, line.colour, line.label, false, [first + i]));
+    const lines = spec.lines.map((line, i) => entry(chart, line, false, [first + i]));
     const spans = Object.entries(spec.span_labels).map(([name, words]) => {
       const item = document.createElement("span");
       item.append(swatch(name, true), words);

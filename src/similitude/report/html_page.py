@@ -104,6 +104,29 @@ def aside(part: object) -> Html:
     return _element("span", markup(part), "aside")
 
 
+def details(title: str, *parts: object) -> Html:
+    """Write what only some readers want: closed until its title is clicked."""
+    return _element("details", _element("summary", markup(title)) + joined(parts))
+
+
+def interval(now: tuple[float, float], before: tuple[float, float]) -> Html:
+    """Draw a 95 % interval as a bar over the wider grey one of before, on the scale of both.
+
+    Parameters
+    ----------
+    now, before : (low, high) in one unit, finite.
+    """
+    low, high = min(now[0], before[0]), max(now[1], before[1])
+    scale = 100.0 / (high - low) if high > low else 0.0
+    bars = [
+        f'<rect class="{kind}" x="{scale * (one[0] - low):.2f}" y="{y}" height="{height}" '
+        f'width="{max(scale * (one[1] - one[0]), 1.0):.2f}"></rect>'
+        for kind, one, y, height in (("before", before, 4, 6), ("now", now, 1, 12))
+    ]
+    marks = "".join(bars)
+    return Html(f'<svg class="interval" viewBox="0 0 101 14" aria-hidden="true">{marks}</svg>')
+
+
 def section(title: str, *parts: object) -> Html:
     """Write a section with its heading; its anchor is the title in small letters with hyphens."""
     return _element("section", _element("h2", markup(title)) + joined(parts), id=anchor(title))
@@ -123,7 +146,7 @@ def figure(name: str, chart: Chart) -> Html:
     chart : Chart    its title becomes the caption, which also says when extremes stand for samples
     """
     drawn = chart.y_label + (f" [{chart.unit}]" if chart.unit else "")
-    notes = [drawn, *([f"{len(chart.x)} samples, drawn by their extremes"] if chart.is_decimated else [])]
+    notes = [drawn, *([f"{len(chart.x)} samples by their extremes"] if chart.is_decimated else [])]
     caption = markup(chart.title) + _element("small", markup(", ".join(notes)))
     inside = _element("figcaption", Html(caption)) + _element("div", Html(""), "legend")
     inside += _element("div", Html(""), "plot", style=f"min-height:{chart.height}px")
@@ -155,6 +178,9 @@ def page(title: str, parts: Sequence[object], charts: Mapping[str, Chart]) -> st
             raise KeyError(name)
     return _asset("html_page.html").format(
         title=markup(title),
+        hint="Drag over a chart to look closer, double-click to go back; a click on a name hides its line."
+        if charts
+        else "",
         css=_asset("vendor/uplot/uPlot.min.css") + _asset("html_page.css"),
         body=body,
         data=charts_json(charts),

@@ -4,6 +4,10 @@ from __future__ import annotations
 
 import math
 import re
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from similitude.run import Group
 
 DEGREES_PER_RADIAN = 180.0 / math.pi
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -96,6 +100,15 @@ def uncertain(value: float, std: float) -> tuple[str, str]:
     if abs(value) > 1e9 or abs(std) > 1e9 or decimals > 7:
         return f"{value:.2e}", f"{std:.1e}"
     return _fixed(value, decimals), _fixed(std, decimals)
+
+
+def narrower(group: Group) -> float:
+    """Share of the population's spread that a drive took away [-]; of sd/value, as ln is what is learnt."""
+    now, before = (
+        std / abs(value) if value else math.inf
+        for value, std in ((group.value, group.std), (group.prior_value, group.prior_std))
+    )
+    return max(1.0 - now / before, 0.0)
 
 
 def _fixed(value: float, decimals: int) -> str:

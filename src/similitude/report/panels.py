@@ -53,7 +53,7 @@ def estimate_panel(axes: Axes, run: Run, t: np.ndarray) -> None:
         Patch(color=ESTIMATE, alpha=0.22, lw=0, label="its 95 % interval"),
     ]
     axes.set_yscale("log")
-    low, high = _range_of_K(trace.K, lower, upper, prior)
+    low, high = range_of_K(trace.K, lower, upper, prior)
     axes.set_ylim(low, high)
     _readable_log_ticks(axes, low, high)
     axes.set_ylabel("tyre constant K\n[m²/s²]")
@@ -166,7 +166,7 @@ def prior_of_K(run: Run) -> tuple[float, float] | None:
     return mean * np.exp(-Z95 * std), mean * np.exp(Z95 * std)
 
 
-def _range_of_K(K, lower, upper, prior) -> tuple[float, float]:
+def range_of_K(K, lower, upper, prior) -> tuple[float, float]:
     """Limits that show the estimate, most of its band and the prior, but at most three decades."""
     late = slice(K.size // 20, None)
     low, high = float(np.quantile(lower[late], 0.02)), float(np.quantile(upper[late], 0.98))

@@ -6,7 +6,6 @@ came from.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -18,6 +17,7 @@ from rich.text import Text
 from similitude.report.cost_curve import cost_curve
 from similitude.report.numerals import (
     for_people,
+    narrower,
     plain,
     pretty_name,
     pretty_unit,
@@ -154,20 +154,14 @@ def _groups(run: Run) -> Table:
     for title in ("", "now", "population", "narrower", "meaning"):
         table.add_column(title, header_style=QUIET)
     for name, group in run.groups.items():
-        narrower = 1.0 - _relative(group.std, group.value) / _relative(group.prior_std, group.prior_value)
         table.add_row(
             Text(pretty_name(name)),
             _plus_minus(*uncertain(group.value, group.std), ""),
             _plus_minus(*uncertain(group.prior_value, group.prior_std), "", style=""),
-            Text(f"{100 * max(narrower, 0.0):.0f} %", justify="right"),
+            Text(f"{100 * narrower(group):.0f} %", justify="right"),
             Text(group.meaning, style=QUIET),
         )
     return table
-
-
-def _relative(std: float, value: float) -> float:
-    """An sd against its value, for groups whose logarithm is what is learnt."""
-    return std / abs(value) if value else math.inf
 
 
 def _nuisance(run: Run) -> Table:
