@@ -1,6 +1,6 @@
 """Sound simulated logs of many cars, and the ways to damage one, for rates of detection."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pyarrow as pa
@@ -76,6 +76,27 @@ def _logged(t, steer, yaw, speed, side, every, rng, L, rms):
         "ay": 1.08 * side[rows] + 0.1 + 0.15 * rng.standard_normal(size),
     }
     return Drive(columns, L, speed, rms)
+
+
+def coarse(drive, rng):
+    """The same drive through a bus: rounded as cars round, some values held, and a gusty day."""
+    columns = dict(drive.columns)
+    t = columns["t"]
+    rate = 1 / np.median(np.diff(t))
+    sos = butter(2, [0.05, 0.5], "bandpass", fs=rate, output="sos")
+    gusts = sosfilt(sos, rng.standard_normal(t.size))
+    columns["r"] = columns["r"] + rng.uniform(0, 4e-3) * gusts / gusts.std()
+    steps = {
+        "delta": rng.choice([1e-5, 1.2e-4, 6e-4]),
+        "r": np.deg2rad(rng.choice([0.001, 0.01, 0.1, 0.24])),
+        "U": rng.choice([1e-3, 0.01 / 3.6, 0.1 / 3.6, 0.5 / 3.6]),
+        "ay": rng.choice([1e-3, 0.01, 0.1]),
+    }
+    for name, step in steps.items():
+        columns[name] = np.round(columns[name] / step) * step
+        every = int(rng.choice([1, 1, 2, 5])) if rate > 40 else 1
+        columns[name] = columns[name][(np.arange(t.size) // every) * every]
+    return replace(drive, columns=columns)
 
 
 def look(drive, folder, *, with_ay=True, units=UNITS, names=NAMES):

@@ -27,6 +27,7 @@ SLOWEST = 0.6  # sqrt(g L); below, a car answers like one on rails and turns by 
 LARGE_STEER = 0.03  # rad; an offset of the steer no longer matters, and the mean may count
 ALIKE = 0.5  # correlation from which the two regressions are within a factor of four
 BEYOND_CHANCE = 5.0  # sd of Fisher's z of unrelated signals with the same spectra
+SMOOTH = 0.5  # correlation of the steer with itself a bin later; below, it is mostly noise
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
@@ -50,6 +51,8 @@ class Relation:
     ----------
     same, opposite : float   largest correlation of either sign over the delays [-]
     low, high : float        slope by the two regressions, where `same` is largest, or `opposite`
+    most : float             slope that no noise can hide: all of the effect's size, against the part
+                             of the cause's that is not white noise
     chance : float           sd of Fisher's z of unrelated signals of these spectra [-]
     """
 
@@ -57,6 +60,7 @@ class Relation:
     opposite: float
     low: float
     high: float
+    most: float
     chance: float
 
     @property
@@ -120,7 +124,7 @@ def check_response(
         return found
     if relation.opposite > relation.same and relation.counts:
         found.append(_sign(relation, columns, file))
-    elif wheelbase is not None and relation.counts:
+    elif wheelbase is not None:
         froude = float(np.nanmean(np.where(moving, values["U"], np.nan) ** 2)) / (GRAVITY * wheelbase)
         found += _judge_gain(relation, froude, columns, file)
     return found
@@ -149,7 +153,18 @@ def relate(t: np.ndarray, cause: np.ndarray, effect: np.ndarray, *, level_counts
     alike = max(abs(likeness), 1e-9)
     chance = _chance(np.where(known, x, 0.0), np.where(known, y, 0.0))
     low, high = float(alike * ratio), float(ratio / alike)
-    return Relation(float(same[0]), float(-opposite[0]), low, high, chance)
+    return Relation(float(same[0]), float(-opposite[0]), low, high, _most(x, y), chance)
+
+
+def _most(x: np.ndarray, y: np.ndarray) -> float:
+    """Largest slope of y on x: y is at least the slope times the part of x that is no white noise."""
+    known = np.isfinite(x) & np.isfinite(y)
+    follows = known[1:] & known[:-1]
+    power = float(np.mean(x[known] ** 2))
+    smooth = float(np.mean(x[1:][follows] * x[:-1][follows])) if follows.any() else 0.0
+    if not smooth > SMOOTH * power:
+        return np.inf
+    return float(np.sqrt(np.mean(y[known] ** 2) / smooth))
 
 
 def _binned(t: np.ndarray, *signals: np.ndarray) -> list[np.ndarray]:
@@ -202,19 +217,22 @@ def _sign(relation: Relation, columns: Mapping[str, Column], file: str) -> Findi
 
 def _judge_gain(relation: Relation, froude: float, columns: Mapping[str, Column], file: str) -> list[Finding]:
     least = LEAST_SHARE / (1 + froude / LEAST_FROUDE)
-    large, small = relation.low / LARGEST_GAIN, least / relation.high
+    high = min(relation.high, relation.most) if relation.counts else relation.most
+    large = relation.low / LARGEST_GAIN if relation.counts else 0.0
+    small = least / high
     beyond = max(large, small)
     if beyond <= 1:
         return []
     typical = 1 / (1 + froude / TYPICAL_FROUDE)
-    usually, paste, fix = _explain(relation.slope / typical, columns)
+    slope = min(relation.slope, relation.most)
+    usually, paste, fix = _explain(slope / typical, columns)
     rate = column_of("r", columns).header
     bound = f"at most {LARGEST_GAIN:g}" if large > small else f"at least {least:.2g} at this speed"
     return [Finding(
         "steer_against_yaw", bool(beyond > CERTAIN),
-        f"column {shown(rate)} of {file} is {relation.slope:.3g} times U delta / L, the yaw rate of a "
+        f"column {shown(rate)} of {file} is {slope:.3g} times U delta / L, the yaw rate of a "
         f"car on rails; a car has {bound}",
-        usually, paste, READ, column=rate, value=relation.slope, fix=fix,
+        usually, paste, READ, column=rate, value=slope, fix=fix,
     )]  # fmt: skip
 
 

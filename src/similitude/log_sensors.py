@@ -27,6 +27,7 @@ ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
 KINK = 30.0  # times the rounding; a smooth signal bends a little everywhere, a drawn one at corners
 NOISE_TURNS = 0.4  # white noise bends the other way 73 times in 100, a smooth signal rarely
 SPIKE_NOISE = 12.0  # sd of the noise
+SPIKE_STEPS = 4.0  # of the signal's own resolution
 SPIKE_SHARE = 0.25  # of the range in which 99 % of the values lie
 ALONE = 5  # rows without another spike; peaks of a fast manoeuvre come in rows
 MOST_SPIKES = 0.02  # of the rows; more is how the signal is
@@ -138,7 +139,10 @@ def spike_rows(x: np.ndarray) -> np.ndarray:
         return rows
     noise = 1.4826 * float(np.median(known)) / np.sqrt(1.5)  # sd of x - (x_before + x_after)/2
     low, high = np.nanpercentile(x, [0.5, 99.5])
-    least = max(SPIKE_NOISE * noise, SPIKE_SHARE * (high - low))
+    steps = np.abs(np.diff(x))
+    moved = steps[steps > 0]
+    coarse = float(np.quantile(moved, 0.01)) if moved.size else 0.0
+    least = max(SPIKE_NOISE * noise, SPIKE_SHARE * (high - low), SPIKE_STEPS * coarse)
     out = (np.abs(bend) > least) & (np.abs(x[2:] - x[:-2]) < np.abs(bend))
     at = np.flatnonzero(out) + 1
     if not at.size or least == 0 or at.size > MOST_SPIKES * x.size:
