@@ -121,10 +121,13 @@ def scaled(name, factor):
 
 
 def _somewhere(drive, rng, seconds):
+    """Rows of so many seconds in which the car moves."""
     t = drive.columns["t"]
     length = int(seconds / np.median(np.diff(t)))
-    start = int(rng.integers(1, t.size - length - 1))
-    return slice(start, start + length)
+    while True:
+        start = int(rng.integers(1, t.size - length - 1))
+        if np.min(np.abs(drive.columns["U"][start : start + length])) > 0.5:
+            return slice(start, start + length)
 
 
 def stuck(name):
