@@ -25,7 +25,7 @@ FLOW = (
     "log_sensors log_speed log_response log_fixes",
     "log_survey log",
     "vehicle_prior filter_config filter_run steer_lag",
-    "run verdict prediction handling",
+    "run verdict prediction handling stiffness_doubt",
     "identify_population identify_paper",
     "distance_sampling identification",
     "report",

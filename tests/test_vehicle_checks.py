@@ -90,3 +90,14 @@ def test_no_line_to_paste_holds_what_is_refused_again():
     for lines in ({"L": "1e300 m"}, {"m": "0 kg", "L": "2.7 m"}, {"yaw_rate_noise": "0 rad/s"}):
         fault = find_fault(of(**lines), population="passenger_cars")
         assert "inf" not in fault.paste and '"1 ' not in fault.paste
+
+
+@pytest.mark.parametrize(
+    ("typed", "unit"), [("2690 m", "mm"), ("269 m", "cm"), ("106 m", "in"), ("2.69 mm", "mm")]
+)
+def test_a_wheelbase_in_another_unit_is_refused_with_the_length_meant(typed, unit):
+    fault = find_fault(of(L=typed), population="passenger_cars")
+
+    assert fault.key == "L"
+    assert f"m and {unit} were exchanged" in fault.usually
+    assert fault.paste == f'L = "{2.6924 if unit == "in" else 2.69:.6g} m"'

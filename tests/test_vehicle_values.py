@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from similitude.vehicle_values import KEYS, SENSOR_KEYS, line_of, unknown_key
+from similitude.errors import VehicleError
+from similitude.vehicle_values import KEYS, SENSOR_KEYS, line_of, read_values, unknown_key
 
 
 @pytest.mark.parametrize(
@@ -30,3 +31,10 @@ def test_a_key_by_another_name_is_understood(key, meant):
 def test_every_example_line_is_one_line():
     for key in (*KEYS, *SENSOR_KEYS):
         assert "\n" not in unknown_key(Path("car.toml"), key, {}, "").paste
+
+
+def test_a_wheelbase_without_a_unit_is_offered_the_one_it_must_be_in(tmp_path):
+    for number, unit in (("2690", "mm"), ("2.69", "m")):
+        with pytest.raises(VehicleError) as caught:
+            read_values(tmp_path / "car.toml", {"L": float(number)}, KEYS, f"L = {number}")
+        assert caught.value.paste.endswith(f' {unit}"')

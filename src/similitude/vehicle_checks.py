@@ -10,6 +10,7 @@ population, because that is what tells the two apart.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -130,12 +131,11 @@ def _centre(length: Uncertain | None, front: Uncertain | None, rear: Uncertain |
 
 
 def _size(values: Mapping[str, Uncertain], population: str) -> list[Fault]:
-    units = {"L": ("m", "mm", 1e-3), "m": ("kg", "t", 1e3)}
     for key, bounds in zip(("L", "m"), POPULATIONS[population], strict=True):
         held = values.get(key)
         if held is None or bounds[0] <= held.value <= bounds[1]:
             continue
-        unit, other, factor = units[key]
+        unit = _SI_UNITS[key]
         what = (
             f"{key} = {held.value:.6g} {unit} cannot be one of population '{population}' "
             f"({bounds[0]:g} to {bounds[1]:g} {unit})"
@@ -144,10 +144,14 @@ def _size(values: Mapping[str, Uncertain], population: str) -> list[Fault]:
             if name != population and _fits(values, name):
                 return [Fault(key, what, "the car is of another population.",
                               f'population = "{name}"')]  # fmt: skip
-        up = held.value * factor
-        for guess in (up, held.value / factor):
-            if bounds[0] <= guess <= bounds[1]:
-                return [Fault(key, what, f"{unit} and {other} were exchanged.", _line(key, guess))]
+        # A number in m that was read off in inches: the unit under which it is nearest to usual.
+        usual = (bounds[0] * bounds[1]) ** 0.5
+        _, other, guess = min(
+            (abs(math.log(held.value * size / usual)), other, held.value * size)
+            for other, size in _OTHER_UNITS[key]
+        )
+        if bounds[0] <= guess <= bounds[1]:
+            return [Fault(key, what, f"{unit} and {other} were exchanged.", _line(key, guess))]
         return [Fault(key, what, "a digit or the unit is wrong.", _EXAMPLES[key])]
     return []
 
@@ -206,6 +210,13 @@ _EXAMPLES = {
     "Iz": 'Iz = "2800 kg m^2"', "Caf": 'Caf = "90 kN/rad"', "Car": 'Car = "110 kN/rad"',
     "steering_ratio": "steering_ratio = 15.3", "steer_lag": 'steer_lag = "20 ms"',
     "yaw_rate_noise": 'yaw_rate_noise = "0.15 deg/s"',
+}  # fmt: skip
+
+# For a number that was typed with the SI unit: (unit in which it may be instead, its size in SI), or
+# the reverse, a number in SI that was typed with that unit.
+_OTHER_UNITS = {
+    "L": (("mm", 1e-3), ("cm", 1e-2), ("in", 0.0254), ("mm", 1e3), ("cm", 1e2), ("in", 1 / 0.0254)),
+    "m": (("t", 1e3), ("lb", 0.45359237), ("t", 1e-3)),
 }  # fmt: skip
 
 _SI_UNITS = {

@@ -15,6 +15,8 @@ from similitude.dimension import FORCE, FREQUENCY, INERTIA, LENGTH, MASS, TIME, 
 from similitude.errors import UnitError, VehicleError, shown
 from similitude.units import Uncertain, parse_quantity, parse_uncertain
 
+LONGEST_IN_METRES = 100  # a length without a unit from here on is in mm: 2690
+
 READ = 'docs/vehicle.md, "The vehicle file"'
 
 # key -> (dimension, example of a line)
@@ -103,6 +105,8 @@ def _value(path: Path, key: str, raw: object, text: str, dimension: Dimension, e
         raw = str(raw)
     elif is_number:
         unit = example.split('"')[1].split(" ", 1)[1].removeprefix("± 50 ")
+        if dimension == LENGTH and raw >= LONGEST_IN_METRES:
+            unit = "mm"
         raise VehicleError(
             f"{where}: {key} = {raw} has no unit",
             usually=f"{unit} was meant; write it, so that nobody has to guess.",
