@@ -13,7 +13,10 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from rich.console import Console
 from rich.table import Table
 from tests.montecarlo.experiment import fleet, score
+from tests.montecarlo.test_batch import NO_LAG, coverage, nuisance_fleet
 from tests.montecarlo.test_cells import DRIVES
+
+from similitude.batch_pass import MEASURED_LAG
 
 
 def main() -> None:
@@ -30,7 +33,29 @@ def main() -> None:
     for factor in (0.1, 1.0, 10.0):
         result = score(straight, noise_factor=factor)
         row(table, f"straight road, noise assumed x {factor:g}", 1e-4, result)
-    Console(width=110).print(table)
+    console = Console(width=110)
+    console.print(table)
+    console.print(batch_table())
+
+
+def batch_table() -> Table:
+    """The batch fit without a change of stiffness, on the reference plant and on the nuisance plant."""
+    table = Table(title="Batch fit: 95 % interval of ln K, 120 cars a cell")
+    for name in ("cell", "steer", "median error of ln K", "covered"):
+        table.add_column(name, justify="left" if name == "cell" else "right")
+    for steer_rms in (3e-3, 10e-3):
+        plain = fleet(31, cars=120, steer_rms=steer_rms, halve=False)
+        dirty = nuisance_fleet(32, cars=120, steer_rms=steer_rms)
+        for name, cars, lag in (
+            ("reference, lag known", plain, NO_LAG),
+            ("reference, lag not known", plain, MEASURED_LAG),
+            ("scale, lag, offset, disturbance", dirty, MEASURED_LAG),
+        ):
+            covered, error = coverage(cars, lag)
+            table.add_row(
+                name, f"{1000 * steer_rms:g} mrad", f"{100 * error:.1f} %", f"{100 * covered:.1f} %"
+            )
+    return table
 
 
 def row(table: Table, name: str, steer_rms: float, result) -> None:

@@ -127,7 +127,7 @@ def test_options_reach_the_core(core, capsys):
         ),
         (["my drive.csv"], "similitude identify 'my drive.csv' --vehicle"),
         (["a.csv", "--vehicle", "none.toml"], "similitude vehicle --new > none.toml"),
-        (["a.csv", "--vehicle", "car.toml", "--estimator", "band"], "population and paper"),
+        (["a.csv", "--vehicle", "car.toml", "--estimator", "band"], "population and batch and paper"),
         (["a.csv", "--vehicle", "car.toml", "--estimator", "papr"], "--estimator paper"),
         (["a.csv", "--vehicle", "car.toml", "--map", "delta"], "--map 'delta'"),
         (["a.csv", "--vehicle", "car.toml", "--map", "=x"], "--map '=x'"),
@@ -145,7 +145,7 @@ def test_wrong_usage_ends_with_2_before_any_log_is_read(core, capsys, words, sai
     assert _files() == {"car.toml"}
 
 
-@pytest.mark.parametrize("name", ["band", "output_error", "robust", "batch"])
+@pytest.mark.parametrize("name", ["band", "output_error", "robust"])
 def test_an_estimator_that_is_promised_is_said_to_be_planned(core, capsys, name):
     _, _, err = _run(capsys, "identify", "a.csv", "--vehicle", "car.toml", "--estimator", name)
     assert "planned but not built yet" in err

@@ -11,8 +11,8 @@ import typer
 
 from similitude.errors import UnitError, UsageError
 
-ESTIMATORS = ("population", "paper")
-NOT_BUILT_YET = ("band", "output_error", "robust", "batch")
+ESTIMATORS = ("population", "batch", "paper")
+NOT_BUILT_YET = ("band", "output_error", "robust")
 
 
 def read_mapping(pairs: Sequence[str]) -> dict[str, str]:

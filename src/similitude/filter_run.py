@@ -6,17 +6,23 @@ scan, the estimate and the predictions use one and the same step.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.coarse_log import coarse_log
 from similitude.filter_config import filter_config
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
 
 BRIDGED = 0.1  # s: hands on a wheel do little in between
+WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +76,13 @@ class Setup:
         state = self.library.start(config)
         outputs, status = self.library.run(config, state, self.samples())
         return Pass(self, config, state, outputs, status)
+
+    def at_rate(self, rate: float) -> Setup:
+        """The same over the log's means at so many rows a second [Hz], where it has twice as many."""
+        log = coarse_log(self.log, rate)
+        return replace(
+            self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / self.log.samples))
+        )
 
     def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
         """The same with another steer lag [s] and steer scale sd [-]."""
@@ -127,3 +140,9 @@ def coordinates(library: Library) -> list[str]:
 def population_setup(log: Log, prior: Prior, **known: float) -> Setup:
     """A setup of the shipped bicycle filter; ``known`` holds L, noise_std and input_scale_sd."""
     return Setup(log, shipped("bicycle_population"), prior, **known)
+
+
+def side_by_side(passes: Sequence[Callable[[], Found]]) -> list[Found]:
+    """Results of independent passes, in the order given, `WORKERS` of them at a time."""
+    with ThreadPoolExecutor(WORKERS) as pool:
+        return [each.result() for each in [pool.submit(one) for one in passes]]

@@ -24,7 +24,7 @@ def identify(
     ----------
     log : Log            t [s], delta [rad], r [rad/s], U [m/s].
     vehicle : Vehicle    with a wheelbase.
-    estimator : ``population`` (default) or ``paper``.
+    estimator : ``population`` (default), ``batch`` or ``paper``.
     spacing : float      estimate from rows at equal distances of so many metres instead of from
                          those of the log; the Run still has one row for each row of the log.
 
@@ -52,12 +52,16 @@ def _by_time(log: Log, vehicle: Vehicle, estimator: str) -> Run:
         from similitude.identify_population import identify_population
 
         return identify_population(log, vehicle)
+    if estimator == "batch":
+        from similitude.identify_batch import identify_batch
+
+        return identify_batch(log, vehicle)
     if estimator == "paper":
         from similitude.identify_paper import identify_paper
 
         return identify_paper(log, vehicle)
     raise UsageError(
-        f"there is no estimator {estimator!r} (there are population, paper)",
+        f"there is no estimator {estimator!r} (there are population, batch, paper)",
         usually="the name was misspelt.",
         paste='identify(log, vehicle, estimator="population")',
         read='docs/identify.md, "Estimators"',

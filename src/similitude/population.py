@@ -28,6 +28,16 @@ class Prior:
         """Standard deviations of the coordinates, (n,)."""
         return np.sqrt(np.diag(self.covariance))
 
+    def coordinates(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Coordinates of values, (n,) each."""
+        log = np.array([kind == "log" for kind in self.kinds])
+        return np.where(log, np.log(np.where(log, values, 1.0)), values)
+
+    def values(self, coordinates: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Values of coordinates, (n,) each."""
+        log = np.array([kind == "log" for kind in self.kinds])
+        return np.where(log, np.exp(np.where(log, coordinates, 0.0)), coordinates)
+
     def limits(self, widths: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lowest and highest value (n,) each, at the given distance in coordinates (n,)."""
         log = np.array([kind == "log" for kind in self.kinds])

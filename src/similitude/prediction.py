@@ -6,42 +6,82 @@ nothing is simulated a second way.
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.filter_run import Setup
+from similitude.batch_fit import BatchFit
+from similitude.batch_pass import FROZEN
+from similitude.filter_run import Setup, side_by_side
 
 HORIZON = 1.0  # s
-FROZEN = {"excitation_ratio": 1e30, "idle_drift": 0.0, "drift": 0.0}  # groups held, biases follow
+MOST = 600  # predictions, about: five minutes twice a second; of a longer log they lie further apart
 
 
-def predict_ahead(setup: Setup) -> dict[str, Any]:
+@dataclass(frozen=True, eq=False)
+class _Start:
+    """Configuration, state before the first row, and rows (n, 4) of what predicts."""
+
+    config: NDArray[np.float64]
+    state: NDArray[np.float64]
+    rows: NDArray[np.float64]
+
+
+def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: bool = True) -> dict[str, Any]:
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
-    Against the frozen averages of the population (with offset and bias followed) and the
-    kinematic yaw rate U delta/L; the steer and speed that were driven are used.
+    Against the frozen averages of the population (with offset and bias followed), the batch fit's car
+    with its own offset and bias (it has seen the whole log, the future included), and the kinematic
+    yaw rate U delta/L; the steer and speed that were driven are used.
+
+    Parameters
+    ----------
+    setup : Setup        of the log.
+    batch : BatchFit     of the same log, or None.
+    recursive : bool     whether the estimate that is judged is the filter's; else it is the batch fit's.
 
     Returns
     -------
-    dict    ``horizon_s``, ``predictions`` (how many were judged), ``unit``, ``rms`` by what
-            predicted (``estimate``, ``frozen_averages``, ``kinematic``) and ``ratio_to_frozen``;
-            None where nothing could be judged.
+    dict    ``horizon_s``, ``predictions`` (how many were judged), ``unit``, ``rms`` by what predicted
+            (``estimate``, ``frozen_averages``, ``batch``, ``kinematic``), ``ratio_to_frozen`` and
+            ``ratio_to_batch``; None where nothing could be judged.
     """
-    own, measured, kinematic = _ahead(setup, setup.config())
-    frozen, _, _ = _ahead(setup, setup.config(**FROZEN))
-    fine = np.isfinite(own) & np.isfinite(frozen) & np.isfinite(measured) & np.isfinite(kinematic)
-    predicted = {"estimate": own, "frozen_averages": frozen, "kinematic": kinematic}
+    rows = setup.samples()
+    starts = {"frozen_averages": _started(setup, rows, **FROZEN)}
+    if recursive:
+        starts["estimate"] = _started(setup, rows)
+    if batch is not None:
+        held = replace(batch.frozen, setup=setup)
+        config, state = held.ready(batch.x, batch.scales, zero=batch.zero, held=True)
+        starts["batch"] = _Start(config, state, held.rows(batch.x))
+    done = side_by_side([lambda start=start: _ahead(setup, start) for start in starts.values()])
+    ahead = dict(zip(starts, done, strict=True))
+    if not recursive:
+        ahead["estimate"] = ahead["batch"]
+    _, measured, kinematic = ahead["estimate"]
+    order = ("estimate", "frozen_averages", *(["batch"] if batch is not None else []))
+    predicted = {name: ahead[name][0] for name in order} | {"kinematic": kinematic}
+    fine = np.isfinite(measured) & np.logical_and.reduce([np.isfinite(x) for x in predicted.values()])
     rms = {name: _rms((x - measured)[fine]) for name, x in predicted.items()}
-    judged = bool(fine.any()) and rms["frozen_averages"] > 0
     return {
         "horizon_s": HORIZON,
         "predictions": int(fine.sum()),
         "unit": "rad/s",
         "rms": rms,
-        "ratio_to_frozen": rms["estimate"] / rms["frozen_averages"] if judged else None,
+        "ratio_to_frozen": _ratio(rms["estimate"], rms["frozen_averages"]),
+        "ratio_to_batch": _ratio(rms["estimate"], rms.get("batch")),
     }
+
+
+def _started(setup: Setup, rows: NDArray[np.float64], **changes: float) -> _Start:
+    config = setup.config(**changes)
+    return _Start(config, setup.library.start(config), rows)
+
+
+def _ratio(one: float | None, other: float | None) -> float | None:
+    return one / other if one is not None and other else None
 
 
 def _rms(errors: NDArray[np.float64]) -> float | None:
@@ -49,31 +89,31 @@ def _rms(errors: NDArray[np.float64]) -> float | None:
 
 
 def _ahead(
-    setup: Setup, config: NDArray[np.float64]
+    setup: Setup, start: _Start
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Predicted and measured yaw rate a second after every half second, and the kinematic one."""
     library, log = setup.library, setup.log
-    samples = setup.samples()
+    config, state, samples = start.config, start.state, start.rows
     blind = samples.copy()
     blind[:, 3] = np.nan
     per_second = max(2, round(HORIZON / float(np.median(setup.dt))))
-    starts = np.arange(0, len(samples) - per_second, max(1, per_second // 2))
+    last = len(samples) - per_second
+    moments = np.arange(0, last, max(1, per_second // 2, last // MOST))
     codes = library.layout.STATUS
     column = library.index("output", "predicted")
     bias = library.index("state", "output_bias")
-    state = library.start(config)
-    predicted, kinematic = np.full(len(starts), np.nan), np.full(len(starts), np.nan)
+    predicted, kinematic = np.full(len(moments), np.nan), np.full(len(moments), np.nan)
     at = 0
-    for i, start in enumerate(starts):
-        _, status = library.run(config, state, samples[at : start + 1])
-        at = start + 1
+    for i, moment in enumerate(moments):
+        _, status = library.run(config, state, samples[at : moment + 1])
+        at = moment + 1
         if status[-1] in (codes["too_slow"], codes["bad_sample"], codes["no_measurement"]):
             continue
         ahead = state.copy()
-        end = start + per_second
+        end = moment + per_second
         outputs, later = library.run(config, ahead, blind[at : end + 1])
-        if log.t[end] - log.t[start] > 1.5 * HORIZON or (later == codes["too_slow"]).any():
+        if log.t[end] - log.t[moment] > 1.5 * HORIZON or (later == codes["too_slow"]).any():
             continue
         predicted[i] = outputs[-1, column]
         kinematic[i] = log.U[end] * samples[end, 1] / setup.L + state[bias]
-    return predicted, log.r[starts + per_second], kinematic
+    return predicted, log.r[moments + per_second], kinematic

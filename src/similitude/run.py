@@ -1,7 +1,8 @@
 """Run: what an estimator found in a log, with everything the reports say.
 
-Invariant: every number of a Run is finite (where there was no measurement, its innovation is NaN),
-and whatever was not in the log is listed under ``assumed`` with where it came from.
+Invariant: every number of a Run is finite (where there was no measurement, its innovation is NaN; a
+bound of a handling number that does not exist is infinite), and whatever was not in the log is listed
+under ``assumed`` with where it came from.
 """
 
 from __future__ import annotations
@@ -59,6 +60,21 @@ class Assumed:
     origin: str
 
 
+@dataclass(frozen=True)
+class Batch:
+    """What one car for the whole log gives: K, and how it hangs together with the rest.
+
+    ``correlation`` is of ln K with each other coordinate; ``widened`` by how much the variance from the
+    data was raised for innovations that are alike; ``halves`` K of the ``first`` and ``second`` half
+    [m^2/s^2] and by how many sd they are apart (``apart_sd``).
+    """
+
+    K: Estimate
+    correlation: Mapping[str, float]
+    widened: float
+    halves: Mapping[str, float]
+
+
 @dataclass(frozen=True, eq=False)
 class Trace:
     """The estimate row by row, (n,) each; ``innovation`` is NaN where nothing was measured."""
@@ -99,6 +115,7 @@ class Run:
     assumed: Mapping[str, Assumed]
     Caf: Estimate | None = None
     alarms: tuple = ()
+    batch: Batch | None = None
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:

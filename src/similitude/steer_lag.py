@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.filter_config import COMMANDED_STEER_SD
-from similitude.filter_run import Setup
+from similitude.filter_run import Setup, side_by_side
 from similitude.vehicle_file import Vehicle
 
 LONGEST = 0.25  # s
 STEP = 0.01  # s
+RATE = 50.0  # rows a second: a lag moves every row of a manoeuvre, so fewer tell as much
 DEPENDENT = 0.3  # s: innovations of a wrong model stay alike this long
 CONVINCING = 4.0  # log likelihood gained over no lag, in independent samples: odds of 50 to 1
 COMMAND = 0.03  # s: a measured road wheel does not act this late; a command does
@@ -51,7 +52,8 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     if vehicle.steer_lag is not None:
         return LagScan(empty, empty, vehicle.steer_lag.value, "vehicle file")
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
-    passes = [setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags]
+    setup = setup.at_rate(RATE)
+    passes = side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags])
     alone = max(1.0, DEPENDENT / float(np.median(setup.dt)))
     # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
     shared = np.logical_and.reduce([p.used for p in passes])

@@ -36,10 +36,18 @@ class Fleet:
     K: np.ndarray
     L: np.ndarray
     U: np.ndarray
+    groups: dict  # pi1, eta, rho: (cars,) each
+
+    def unknowns(self, i):
+        """K at the start, pi1, eta and rho of one car."""
+        return {"K": float(self.K[i, 0]), **{name: float(x[i]) for name, x in self.groups.items()}}
 
 
-def fleet(seed, *, cars=60, duration=120.0, steer_rms=3e-3, step=60.0, ln_k=None, halve=True):
-    """Draw and simulate cars; ``ln_k`` fixes their k that many sd away from the population's."""
+def fleet(seed, *, cars=60, duration=120.0, steer_rms=3e-3, step=60.0, ln_k=None, halve=True, rounded=True):
+    """Draw and simulate cars; ``ln_k`` fixes their k that many sd away from the population's.
+
+    The steer is logged as it is where it is not ``rounded``.
+    """
     rng = np.random.default_rng(seed)
     n = int(duration * RATE)
     t = np.arange(n) / RATE
@@ -58,8 +66,16 @@ def fleet(seed, *, cars=60, duration=120.0, steer_rms=3e-3, step=60.0, ln_k=None
     columns = {"pi1": pi1, "eta": k * (1 - pi1) / pi1, "rho": pi5 / (pi1 * (1 - pi1))}
     shaped = {name: value[:, None] for name, value in columns.items()}
     r, _ = bicycle_response(t, steer, U[:, None], L=L[:, None], K=stiffness, **shaped)
-    rounded = np.round(steer / STEER_STEP) * STEER_STEP
-    return Fleet(t, rounded, r + NOISE * rng.standard_normal(r.shape), stiffness, L, U)
+    logged = np.round(steer / STEER_STEP) * STEER_STEP if rounded else steer
+    return Fleet(t, logged, r + NOISE * rng.standard_normal(r.shape), stiffness, L, U, columns)
+
+
+def log_of_car(cars, i):
+    """What one car's logger wrote."""
+    return Log(
+        name=f"car {i}", path=Path("car.csv"), t=cars.t, delta=cars.steer[i], r=cars.yaw_rate[i],
+        U=np.full(len(cars.t), cars.U[i]), ay=None, sources={},
+    )  # fmt: skip
 
 
 def drawn_prior():
@@ -99,12 +115,8 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
     prior = drawn_prior()
     rows = []
     for i in range(len(cars.L)):
-        log = Log(
-            name=f"car {i}", path=Path("car.csv"), t=cars.t, delta=cars.steer[i], r=cars.yaw_rate[i],
-            U=np.full(len(cars.t), cars.U[i]), ay=None, sources={},
-        )  # fmt: skip
         setup = population_setup(
-            log,
+            log_of_car(cars, i),
             prior,
             L=cars.L[i] * L_factor,
             noise_std=NOISE * np.sqrt(noise_factor),

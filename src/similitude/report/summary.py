@@ -34,7 +34,7 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
         Only dict, list, str, int, float and None. `K` [m^2/s^2] is at the end of the log and
         `lo`, `hi` bound 95 %; the standard deviations of groups are in the group's own unit [-].
     """
-    return _plain(
+    return plain_values(
         {
             "schema": SCHEMA,
             "log": run.log.path if run.log.path is not None else run.log.name,
@@ -47,6 +47,7 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
             "K": _estimate(run.K),
             "pi3": run.pi3,
             "Caf": None if run.Caf is None else _estimate(run.Caf),
+            "batch": None if run.batch is None else _batch(run.batch),
             "groups": {name: _group(group) for name, group in run.groups.items()},
             "nuisance": {
                 name: {"value": found.value, "std": found.std, "unit": found.unit}
@@ -125,6 +126,15 @@ def _estimate(found) -> dict[str, Any]:
     }
 
 
+def _batch(found) -> dict[str, Any]:
+    return {
+        **_estimate(found.K),
+        "correlation": found.correlation,
+        "widened": found.widened,
+        "halves": {**found.halves, "unit": found.K.unit},
+    }
+
+
 def _group(group) -> dict[str, Any]:
     return {
         "value": group.value,
@@ -135,7 +145,7 @@ def _group(group) -> dict[str, Any]:
     }
 
 
-def _plain(value: Any) -> Any:
+def plain_values(value: Any) -> Any:
     """Reduce paths, tuples, NumPy scalars and arrays to what JSON knows; not finite to None."""
     if value is None or isinstance(value, str | bool | int):
         return value
@@ -144,7 +154,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, Mapping):
-        return {str(key): _plain(part) for key, part in value.items()}
+        return {str(key): plain_values(part) for key, part in value.items()}
     if hasattr(value, "tolist"):  # a NumPy scalar or array
-        return _plain(value.tolist())
-    return [_plain(part) for part in value]
+        return plain_values(value.tolist())
+    return [plain_values(part) for part in value]

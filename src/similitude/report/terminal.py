@@ -40,6 +40,7 @@ VERDICT_STYLES = {
 PREDICTORS = {
     "estimate": "the estimate of that moment",
     "frozen_averages": "the average vehicle, offset and bias followed",
+    "batch": "one car fitted to the whole log, offset and bias too",
     "kinematic": "U δ / L, tyres that do not slip",
 }
 HEADING, QUIET, VALUE = "bold cyan", "dim", "bold"
@@ -122,6 +123,8 @@ def _answer(run: Run) -> Table:
     value, std = uncertain(run.pi3["value"], run.pi3["std"])
     at_speed = f"= K / U² at {run.pi3['at_speed']:.1f} m/s"
     table.add_row(Text("π3"), _plus_minus(value, std, ""), "", Text(at_speed, style=QUIET))
+    if run.batch is not None and run.estimator != "batch":
+        _add_estimate(table, "K, all", run.batch.K, "one car fitted to the whole log")
     if run.Caf is not None:
         _add_estimate(table, "Caf", run.Caf, "both front tyres, given m, L")
     return table
@@ -139,11 +142,16 @@ def _add_estimate(table: Table, name: str, found, meaning: str) -> None:
 
 
 def _handling(handling: Mapping) -> Table:
-    table = _grid()
+    table = _grid(header=True)
+    for title in ("", "value ± sd", "95 %"):
+        table.add_column(title, header_style=QUIET, no_wrap=True)
+    table.add_column()
     for name, found in handling.items():
+        low, high = (uncertain(found[edge], found["std"])[0] for edge in ("lo", "hi"))
         table.add_row(
             Text(pretty_name(name)),
             _quantity(found["value"], found["std"], found["unit"]),
+            Text(f"{low} … {high}", no_wrap=True),
             Text(found["meaning"], style=QUIET),
         )
     return table

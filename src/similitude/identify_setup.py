@@ -1,0 +1,182 @@
+"""What every estimator on the population's prior needs of a log: setup, lag, whole-log fit, what was assumed.
+
+Invariant: the estimators differ in what they do with a setup, never in how it was made.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.batch_fit import BatchFit, fit_batch
+from similitude.batch_pass import COMMANDED_LAG, MEASURED_LAG, FrozenFilter, batch_prior
+from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
+from similitude.filter_run import Pass, Setup, population_setup
+from similitude.log import Log
+from similitude.noise import SensorNoise, gyro_noise
+from similitude.population import Prior
+from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
+from similitude.steer_lag import LagScan, find_lag, looks_like_command
+from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import NAMES, vehicle_prior
+
+MEANING = {
+    "K": "Caf L/m, front cornering stiffness per mass and length",
+    "pi1": "a/L, position of the centre of gravity",
+    "eta": "Car b/(Caf a), rear over front cornering coefficient",
+    "rho": "Iz/(m a b), yaw inertia ratio",
+}
+UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
+SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
+AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
+SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
+APART = 3.0  # sd between the halves of a log: one log in 400 by chance
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """A log ready for the population's estimators; ``setup`` holds the lag and the steer scale's sd."""
+
+    vehicle: Vehicle
+    prior: Prior
+    noise: SensorNoise
+    setup: Setup
+    scan: LagScan
+    commanded: bool
+
+
+def prepare(log: Log, vehicle: Vehicle) -> Prepared:
+    """Prior, noise, steer lag and steer scale of a log."""
+    prior = vehicle_prior(vehicle)
+    noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
+    setup = population_setup(
+        log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
+    )
+    scan = find_lag(setup, vehicle)
+    commanded = looks_like_command(scan)
+    setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
+    return Prepared(vehicle, prior, noise, setup, scan, commanded)
+
+
+def whole_log(ready: Prepared, done: Pass) -> BatchFit:
+    """The batch fit, started where a pass of the population filter ended."""
+    lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
+    prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
+    frozen = FrozenFilter(ready.setup, prior)
+    scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
+    start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
+    scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
+    return fit_batch(frozen, frozen.coordinates(start), scales)
+
+
+def reported(batch: BatchFit) -> Batch:
+    """What a report says of a batch fit."""
+    names = ("pi1", "eta", "rho", "steer_scale", "steer_lag")
+    return Batch(
+        K=positive_estimate(batch.values["K"], float(batch.std[0]), UNITS["K"]),
+        correlation={name: batch.correlation(name) for name in names},
+        widened=batch.widened,
+        halves={
+            "first": float(np.exp(batch.halves.first)),
+            "second": float(np.exp(batch.halves.second)),
+            "apart_sd": batch.halves.apart,
+        },
+    )
+
+
+def seen_speed(U: NDArray[np.float64] | float, prior: Prior) -> NDArray[np.float64]:
+    """Speed at which pi3 is printed: that of the car, or the least at which it can be seen."""
+    return np.maximum(np.abs(U), np.sqrt(prior.mean[0] / SLOW_PI3))
+
+
+def held_by_limits(
+    x: NDArray[np.float64], low: NDArray[np.float64], high: NDArray[np.float64], prior: Prior, ln_K_std: float
+) -> tuple[str, ...]:
+    """Unknowns that the limits of the population, and not the drive, hold where they are.
+
+    K, which the drive is to find, counts as held when its 95 % interval reaches the limit.
+    All are coordinates, (4,).
+    """
+    room = AT_EDGE * prior.std
+    room[0] = Z95 * ln_K_std
+    here = np.minimum(np.abs(x - low), np.abs(high - x)) <= room
+    return tuple(name for name, held in zip(NAMES, here, strict=True) if held)
+
+
+def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:
+    """Every unknown beside what the population said; ``std`` (4,) of the coordinates."""
+    groups = {}
+    for i, name in enumerate(NAMES):
+        is_log = prior.kinds[i] == "log"
+        before, now = float(prior.mean[i]), values[name]
+        groups[name] = Group(
+            now,
+            float((now if is_log else 1.0) * std[i]),
+            before,
+            float((before if is_log else 1.0) * prior.std[i]),
+            MEANING[name],
+        )
+    return groups
+
+
+def warnings_of(ready: Prepared, batch: BatchFit | None, *, learnt: bool) -> list[str]:
+    """What a reader should know before the number, in the order of weight."""
+    setup, scan, lines = ready.setup, ready.scan, []
+    if setup.library.why_slow:
+        left_out = "" if batch else "; the fit of the whole log is left out"
+        lines.append(f"running the scalar Python twin, {setup.library.why_slow}{left_out}")
+    if ready.commanded:
+        lines.append(
+            f"the steer acts {1000 * scan.chosen:.0f} ms after its column says so: it looks like a command, "
+            "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
+        )
+    if batch and learnt:
+        lines += _of_the_fit(batch)
+    if setup.log.rate < 20:
+        lines.append(f"{setup.log.rate:.1f} samples a second are few for yaw dynamics; 50 or more are better")
+    return lines
+
+
+def _of_the_fit(batch: BatchFit) -> list[str]:
+    change = np.expm1(batch.slope("steer_scale") * np.log1p(SCALE_CHANGE))
+    lines = [
+        f"K and steer scale trade: were the steer angle {100 * SCALE_CHANGE:.0f} % larger than logged, "
+        f"K would read {100 * change:+.0f} % (correlation {batch.correlation('steer_scale'):+.2f}; "
+        f"with the steer lag {batch.correlation('steer_lag'):+.2f})"
+    ]
+    halves = batch.halves
+    if halves.apart > APART:
+        lines.append(
+            f"the first half of the log reads K about {np.exp(halves.first):.3g} m^2/s^2, the second about "
+            f"{np.exp(halves.second):.3g}, {halves.apart:.1f} sd apart: the stiffness changed on the way "
+            "(tyres, road, load, or corners beyond 0.3 g), and one number for the whole log is an average; "
+            "--estimator population follows it"
+        )
+    if not batch.settled:
+        lines.append("the fit of the whole log did not come to rest; take its K as a rough guide")
+    return lines
+
+
+def assumed_of(ready: Prepared) -> dict[str, Assumed]:
+    """Every number that was not in the log, with where it came from."""
+    vehicle, prior, scan = ready.vehicle, ready.prior, ready.scan
+    stated = vehicle.yaw_rate_noise is not None
+    scale = "the steer looks like a command" if ready.commanded else "a measured road-wheel angle"
+    lag = {
+        "scanned": "scanned: the log speaks for it",
+        "assumed": "assumed: the log does not speak for one",
+    }
+    assumed = {
+        name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name]) for i, name in enumerate(NAMES)
+    }
+    return assumed | {
+        "population": Assumed(vehicle.population, "-", vehicle.origins.get("population", "default")),
+        "L": Assumed(ready.setup.L, "m", vehicle.origins.get("L", "vehicle file")),
+        "yaw_rate_noise": Assumed(
+            ready.noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
+        ),
+        "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
+        "steer_scale_std": Assumed(ready.setup.input_scale_sd, "-", scale),
+    }

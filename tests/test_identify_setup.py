@@ -1,0 +1,81 @@
+"""What the estimators share: preparing, the whole-log fit, edges, and what a reader is told."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from similitude.identify_setup import (
+    APART,
+    group_table,
+    held_by_limits,
+    prepare,
+    reported,
+    warnings_of,
+    whole_log,
+)
+from similitude.units import Uncertain
+
+from .filter_rig import CAR as PRIOR
+from .simulated_drive import CAR, drive, vehicle
+
+
+@pytest.fixture(scope="module")
+def ready():
+    return prepare(drive(seconds=40), vehicle())
+
+
+@pytest.fixture(scope="module")
+def batch(ready):
+    return whole_log(ready, ready.setup.run())
+
+
+def test_a_stated_lag_is_the_fit_s_prior(ready):
+    stated = prepare(ready.setup.log, vehicle(steer_lag=Uncertain(0.02, 0.004, "s")))
+    prior = whole_log(stated, stated.setup.run()).frozen.prior
+    assert prior.mean[5] == 0.02 and prior.std[5] == pytest.approx(0.2)
+
+
+def test_a_command_has_a_wide_scale_and_a_long_lag():
+    late = prepare(drive(seconds=60, rms=0.01, lag=0.1), vehicle())
+    assert late.commanded
+    prior = whole_log(late, late.setup.run()).frozen.prior
+    assert prior.std[4] == pytest.approx(0.2) and prior.mean[5] == pytest.approx(0.1)
+    assert any("command" in line for line in warnings_of(late, None, learnt=True))
+
+
+def test_the_report_is_that_of_the_fit(batch):
+    said = reported(batch)
+    assert said.K.value == pytest.approx(batch.values["K"])
+    assert np.log(said.K.hi / said.K.lo) == pytest.approx(2 * 1.96 * batch.std[0])
+    assert set(said.correlation) == {"pi1", "eta", "rho", "steer_scale", "steer_lag"}
+    assert all(-1 <= value <= 1 for value in said.correlation.values())
+
+
+def test_unknowns_near_a_limit_are_named():
+    x = PRIOR.coordinates(PRIOR.mean)
+    low, high = x - 2.5 * PRIOR.std, x + 2.5 * PRIOR.std
+    assert held_by_limits(x, low, high, PRIOR, 0.1) == ()
+    moved = x + np.array([0, 0, 2.45, 0]) * PRIOR.std
+    assert held_by_limits(moved, low, high, PRIOR, 0.1) == ("eta",)
+    assert held_by_limits(x, low, high, PRIOR, 1.0) == ("K",)
+
+
+def test_groups_stand_beside_the_population():
+    values = dict(zip(PRIOR.names, PRIOR.mean.tolist(), strict=True))
+    table = group_table(values, PRIOR.std, PRIOR)
+    for group in table.values():
+        assert group.value == group.prior_value and group.std == pytest.approx(group.prior_std)
+
+
+def test_what_trades_and_what_changed_is_said(ready, batch):
+    lines = warnings_of(ready, batch, learnt=True)
+    assert any("K and steer scale trade" in line and "correlation" in line for line in lines)
+    assert not any("first half" in line for line in lines)
+    halves = dataclasses.replace(batch.halves, first=5.0, second=4.5, apart=APART + 1)
+    changed = dataclasses.replace(batch, halves=halves, settled=False)
+    lines = warnings_of(ready, changed, learnt=True)
+    assert any("first half" in line and "148" in line and "90" in line for line in lines)
+    assert any("come to rest" in line for line in lines)
+    assert not any("trade" in line for line in warnings_of(ready, changed, learnt=False))
+    assert CAR["L"] == ready.setup.L
