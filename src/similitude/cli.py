@@ -16,6 +16,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from similitude.cli_complaint import RAN, complain, exit_code
+from similitude.cli_inspect import inspect
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
@@ -30,8 +32,6 @@ from similitude.errors import SimilitudeError, UsageError
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-RAN, USAGE, BAD_INPUT = 0, 2, 3
 
 app = typer.Typer(
     help="Identify physical systems with the fewest unknowns physics allows.",
@@ -64,8 +64,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     try:
         app(args=None if arguments is None else list(arguments), prog_name="similitude")
     except SimilitudeError as error:
-        _complain(error)
-        raise SystemExit(_exit_code(error)) from None
+        complain(error)
+        raise SystemExit(exit_code(error)) from None
 
 
 @app.command()
@@ -119,6 +119,9 @@ def identify(
         raise out_is_a_file(out)
     how = {"estimator": estimator, "spacing": None if spacing is None else read_spacing(spacing)}
     raise typer.Exit(_identify(logs, vehicle, how, reading, out=out, as_json=as_json))
+
+
+app.command()(inspect)
 
 
 @app.command()
@@ -182,8 +185,8 @@ def _identify(
                 record, run = _identify_one(log, car, how, reading, directory, bar)
             except SimilitudeError as error:
                 with bar.aside():
-                    _complain(error)
-                worst = max(worst, _exit_code(error))
+                    complain(error)
+                worst = max(worst, exit_code(error))
                 continue
             with bar.aside():
                 _show(record, run, page, as_json=as_json)
@@ -217,20 +220,6 @@ def _show(record: dict, run, page: Console, *, as_json: bool) -> None:
         typer.echo(json_line(record))
     else:
         print_run(run, page, files=record["files"])
-
-
-def _complain(error: SimilitudeError) -> None:
-    """Print the four parts on stderr, unbroken so that the line to paste can be pasted."""
-    from rich.console import Console
-    from rich.text import Text
-
-    text = Text(str(error))
-    text.stylize("bold red", 0, str(error).find(":"))
-    Console(stderr=True, highlight=False, soft_wrap=True).print(text)
-
-
-def _exit_code(error: SimilitudeError) -> int:
-    return USAGE if isinstance(error, UsageError) else BAD_INPUT
 
 
 if __name__ == "__main__":
