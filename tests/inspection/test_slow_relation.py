@@ -127,3 +127,14 @@ def test_no_relation_without_steer_and_none_without_movement():
 
     assert slow_relation(alone).length is None
     assert slow_relation(alone).windows == 0
+
+
+@pytest.mark.parametrize("steer", [0.0, 0.01])
+def test_a_steer_that_never_moves_gives_no_nonsense(steer):
+    t = np.arange(4000) * 0.01
+    r = 0.002 * np.random.default_rng(0).standard_normal(4000)
+    still = even_signals({"t": t, "delta": np.full(4000, steer), "r": r, "U": np.full(4000, 20.0)}, timing(t))
+
+    found = slow_relation(still)
+
+    assert found.length is None or found.length_std > 0.3

@@ -31,7 +31,7 @@ def test_signals_and_excitation_are_drawn_and_tinted():
     page = inspect_html(inspect_log(DATA / "f1tenth_ds2.csv", vehicle=read_vehicle(DATA / "f1tenth.toml")))
 
     drawn = set(re.findall(r'id="chart-([a-z-]+)"', page))
-    assert drawn == {"steer", "yaw-rate", "speed", "ay", "steer-rms", "sideways"}
+    assert drawn == {"steer", "yaw-rate", "speed", "ay", "steer-rms", "sideways", "learnt"}
     data = json.loads(
         re.search(r"<script[^>]*application/json[^>]*>(.*?)</script>", page, re.DOTALL).group(1)
     )

@@ -208,9 +208,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("last_input", i.unit, "input of the sample before"),
         *(Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before") for q in layout.signals),
         Field("age", "s", "time since the last usable sample"),
-        Field(
-            "started", "-", "1 once a sample was used; 0 again while the scales hide the dynamics"
-        ),
+        Field("started", "-", "1 once a sample was used; 0 again while the scales hide the dynamics"),
     )
 
 

@@ -34,7 +34,6 @@ MOST_ROWS = 2_000_000  # of a longer drive that is tried
 GENTLE = 99.0  # percentile of lateral acceleration that must stay in the linear range
 STEER_KNOWN = 1e-3  # sd of the scale of a steer angle that was calibrated
 CALIBRATED = 0.8  # of the sd: a calibrated steer angle is worth naming
-SLOW_SHARE = 0.5  # of the rows, too slow for the tyres to show
 
 
 @dataclass(frozen=True)

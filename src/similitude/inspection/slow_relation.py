@@ -36,6 +36,7 @@ STANDING_TIME = 0.5  # s, before a standstill says anything
 RESTLESS = 5.0  # times the quietest: a standstill during which the car is turned by hand
 TURNS = 3.0  # sds of the gain, before the steer is believed to turn the car
 LEAST = 0.1  # of 1 + c U^2: an oversteering car at its critical speed has 0
+TINY = 1e-300  # what a variance is never below
 ROUNDS = 30
 SHARES = 0.5 ** np.arange(12)  # of a step, tried until the fit gets better
 
@@ -92,7 +93,7 @@ def slow_relation(
     """
     still = standstill_bias(signals)
     windows = _windows(signals, lag)
-    if windows is None or windows.t.size < FEWEST_WINDOWS:
+    if windows is None or windows.t.size < FEWEST_WINDOWS or not windows.product.any():
         return SlowRelation(0 if windows is None else int(windows.t.size), bias=still)
     if understeer is None:
         high = float(np.quantile(windows.U, 0.95)) ** 2
@@ -103,7 +104,7 @@ def slow_relation(
     (gain, c, straight, bias), covariance = _fit(windows, prior_mean, prior_sd)
     std = np.sqrt(np.diag(covariance))
     bias = still or Measured(float(bias), float(std[3]), "rad/s")
-    if abs(gain) < TURNS * std[0]:
+    if abs(gain) <= TURNS * std[0]:
         return SlowRelation(int(windows.t.size), bias=bias)
     square = windows.middle**2
     by = np.array([-1 / gain, -square / max(1 + c * square, LEAST)])  # of ln length, by gain and c
@@ -170,7 +171,7 @@ def _fit(
     """
     precision = np.diag(1 / sd**2)
     p = mean.copy()
-    p[0] = (w.product @ w.r) / max(float(w.product @ w.product), 1e-300)
+    p[0] = (w.product @ w.r) / float(w.product @ w.product)
     for _ in range(ROUNDS):
         residual, slope = _residual(p, w)
         variance = max(float(residual @ residual) / max(w.t.size - 2, 1), 1e-14)
@@ -184,7 +185,8 @@ def _fit(
     inverse = np.linalg.pinv(H)
     scatter = _scatter(slope * (residual / variance)[:, None])
     sandwich = inverse @ (scatter + precision) @ inverse
-    wider = np.sqrt(np.maximum(np.diag(sandwich) / np.diag(inverse), 1.0))
+    known = np.maximum(np.diag(inverse), TINY)
+    wider = np.sqrt(np.maximum(np.diag(sandwich) / known, 1.0))
     return p, inverse * np.outer(wider, wider)
 
 

@@ -129,7 +129,7 @@ def _charts(look: Inspection) -> dict[str, Chart]:
         for name, words, y, unit, scale, colour in drawn
         if y is not None and np.isfinite(y).any()
     }
-    return charts | _excitation(look, spans, labels)
+    return charts | _excitation(look, spans, labels) | _gained(look, spans, labels)
 
 
 def _spans(look: Inspection):
@@ -185,6 +185,23 @@ def _excitation(look: Inspection, spans, labels) -> dict[str, Chart]:
         for name, (title, words, y, unit, limit, limit_words) in drawn.items()
         if np.isfinite(y).any()
     }
+
+
+def _gained(look: Inspection, spans, labels) -> dict[str, Chart]:
+    """Where in the drive K was learnt."""
+    if look.prospects is None:
+        return {}
+    words = "information about K"
+    gained = Chart(
+        title="Learnt about the tyres",
+        y_label=words,
+        x=look.survey.values["t"],
+        lines=(Line(words, look.prospects.information, "gained"),),
+        spans=spans,
+        height=150,
+        span_labels=labels,
+    )
+    return {"learnt": gained}
 
 
 def _unknowns(look: Inspection) -> Html:
