@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from similitude.errors import ProgramError
@@ -220,8 +220,17 @@ near = st.floats(-50, 50).map(lambda v: int(np.float64(v).view(np.uint64)))
 rows_of_anything = st.lists(st.tuples(*[st.one_of(any_bits, near)] * 4), min_size=1, max_size=25)
 
 
+def as_bits(*rows):
+    return [tuple(int(v) for v in np.array(row, dtype=float).view(np.uint64)) for row in rows]
+
+
+# the state was scaled up to a crawl, and not back down again when the car moved on
+STOP_AND_GO = as_bits(*[(0, 0, 0, 0)] * 8, (4.12, 0, 0, 0), (1, 0, 3.82, 0), (1, 0, 0, 0))
+
+
 @settings(max_examples=150, deadline=None)
 @given(rows_of_anything, st.booleans())
+@example(STOP_AND_GO, False)
 def test_no_bits_whatever_break_the_state(bits, fresh):
     start = LIBRARY.start(CONFIG) if fresh else LEARNT
     garbage = bits_to_floats(bits)

@@ -220,7 +220,7 @@ def _restart(layout: Layout) -> list[Statement]:
     wide = [Assign(P.target(i, i), S(f"{name}_sd") ** 2) for i, name in enumerate(layout.fast)]
     w = len(layout.fast)
     wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
-    wide.append(Assign(DISTURBANCE, sp.Integer(0)))
+    wide += [Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)]
     unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump")]
     unheard.append(Assign("surprise", sp.Integer(1)))
     half = sp.Rational(1, 2)

@@ -493,6 +493,10 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             P[0] = (v_star_sd*v_star_sd);
             P[10] = (r_star_sd*r_star_sd);
             P[19] = disturbance_scale*(disturbance_floor*disturbance_floor);
+            v_star = R(0.0);
+            r_star = R(0.0);
+            v_star_plain = R(0.0);
+            r_star_plain = R(0.0);
             disturbance = R(0.0);
         }
         const bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;

@@ -456,6 +456,10 @@ def step(config, state, sample):
             P_0 = (v_star_sd*v_star_sd)
             P_10 = (r_star_sd*r_star_sd)
             P_19 = disturbance_scale*(disturbance_floor*disturbance_floor)
+            v_star = 0.0
+            r_star = 0.0
+            v_star_plain = 0.0
+            r_star_plain = 0.0
             disturbance = 0.0
         least_scale = 0.0003333333333333333*signal_limit
         at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
