@@ -85,6 +85,9 @@ def compiled(counts: Counts) -> tuple[list[Row], list[Bound]]:
     rows = [_row(name, times[name], counts.compiled) for name in kernels]
     return rows, [
         _bound("population against textbook", "population, generated C", "textbook RLS, C", times, 12.0),
+        _bound(
+            "saturating tyres against textbook", "the same, saturating tyres", "textbook RLS, C", times, 16.0
+        ),
         _bound("paper against hand-written", "paper, generated C", "paper, hand-written C", times, 1.3),
     ]
 
@@ -93,10 +96,12 @@ def compiled_kernels(samples: int) -> dict[str, Kernel]:
     """The loops in C by the names of their rows."""
     road, square = road_drive(samples), square_drive(samples)
     population, paper = shipped("bicycle_population"), shipped("bicycle_paper")
+    saturating = shipped("saturating_bicycle_population")
     setting = small_car_config(paper, square)
     return {
         "textbook RLS, C": rls_kernel(*regression(samples)),
         "population, generated C": generated_kernel(population.name, population_config(population), road),
+        "the same, saturating tyres": generated_kernel(saturating.name, population_config(saturating), road),
         "paper, hand-written C": reference_paper_kernel(paper, setting, square),
         "paper, generated C": generated_kernel(paper.name, setting, square),
     }

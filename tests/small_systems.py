@@ -54,6 +54,8 @@ class Case:
             "prior_information": sd[0] ** -2,
             "noise_variance": self.noise**2,
             "input_scale_sd": 1e-3,
+            "input_scale_low": 0.9,
+            "input_scale_high": 1.1,
             "input_offset_sd": 1e-3 * self.force,
             "output_bias_sd": self.noise,
             "disturbance_floor": 1e-3 * self.force,

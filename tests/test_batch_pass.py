@@ -1,10 +1,13 @@
 """A trial car: the frozen filter is the Kalman filter of what is linear given it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from similitude.batch_pass import COMMANDED_LAG, MEASURED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import DESIGN
+from similitude.program.library import shipped
 from similitude.units import Uncertain
 
 from .filter_rig import CAR as PRIOR
@@ -18,7 +21,8 @@ CALM = np.log([1e-8, 2e-3])  # hardly any noise, hardly any disturbance
 
 def frozen(log, *, lag=MEASURED_LAG, noise_std=NOISE, prior=PRIOR, steer_scale_sd=0.02):
     joint = batch_prior(prior, steer_scale_sd=steer_scale_sd, lag=lag)
-    return FrozenFilter(setup_of(log, prior, noise_std=noise_std), joint)
+    setup = setup_of(log, prior, noise_std=noise_std)
+    return FrozenFilter(replace(setup, library=shipped("bicycle_population")), joint)
 
 
 def at_truth(filter_, *, scale=1.0, lag=1e-4):

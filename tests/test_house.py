@@ -16,8 +16,9 @@ ROOT = pathlib.Path(__file__).parents[1]
 PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
-    "model groups population reduction",
     "program",
+    "saturation",
+    "model groups population reduction",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",

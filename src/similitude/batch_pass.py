@@ -136,6 +136,7 @@ def _config(setup: Setup, noise: float, disturbance: float, held: bool) -> NDArr
         disturbance_scale_high=disturbance,
     )
     start = setup.library.index("config", "P_prior")
-    config[start : start + 10] = HELD_SD**2 * np.eye(4)[np.triu_indices(4)]
+    n = sum(name.endswith("_prior") for name in setup.library.names("config"))
+    config[start : start + n * (n + 1) // 2] = HELD_SD**2 * np.eye(n)[np.triu_indices(n)]
     config.setflags(write=False)  # it is handed out again
     return config

@@ -55,6 +55,7 @@ DESIGN = {
     "validity_rate": 2 / 0.3,  # 1/s
 }
 LIMIT_SD = 2.5  # of every slow unknown
+GRIP = (GRAVITY, 0.15)  # m/s^2, and sd of its logarithm: dry roads to good tyres; never printed
 LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
 ROOM = 0.5  # of ln K
 
@@ -79,17 +80,20 @@ def filter_config(
     input_scale_sd : sd of the steer angle's scale [-].
     changes : design constants to replace, by name.
     """
+    if "grip_prior" in library.names("config"):
+        prior = prior.beside("grip", "log", *GRIP, "dry road")
     widths = LIMIT_SD * prior.std
     widths[0] = LIMIT_SD_TARGET * np.hypot(prior.std[0], ROOM)
     low, high = prior.limits(widths)
-    values: dict = {**DESIGN, **changes}
-    values |= {
+    values = {
         "L": L,
         "P_prior": prior.covariance[np.triu_indices(len(prior.names))],
         "prior_information": 1 / prior.covariance[0, 0],
         "noise_variance": noise_std**2,
         "input_scale_sd": input_scale_sd,
+        "input_scale_low": np.exp(-LIMIT_SD * input_scale_sd),
+        "input_scale_high": np.exp(LIMIT_SD * input_scale_sd),
     }
     for i, name in enumerate(prior.names):
         values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
-    return library.config(values)
+    return library.config({**DESIGN, **values, **changes})

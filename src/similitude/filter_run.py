@@ -139,7 +139,7 @@ def coordinates(library: Library) -> list[str]:
 
 def population_setup(log: Log, prior: Prior, **known: float) -> Setup:
     """A setup of the shipped bicycle filter; ``known`` holds L, noise_std and input_scale_sd."""
-    return Setup(log, shipped("bicycle_population"), prior, **known)
+    return Setup(log, shipped("saturating_bicycle_population"), prior, **known)
 
 
 def side_by_side(passes: Sequence[Callable[[], Found]]) -> list[Found]:

@@ -13,6 +13,7 @@ from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
 from similitude.systems.bicycle import bicycle_reduction
+from similitude.systems.saturating_bicycle import saturating_bicycle_reduction
 
 DIRECTORY = Path(__file__).parent / "generated"
 
@@ -20,7 +21,11 @@ DIRECTORY = Path(__file__).parent / "generated"
 def shipped() -> tuple[Program, ...]:
     """The step programs that ship with the package."""
     reduction = bicycle_reduction()
-    return (population_filter(reduction), paper_regression(reduction))
+    return (
+        population_filter(saturating_bicycle_reduction()),
+        population_filter(reduction),
+        paper_regression(reduction),
+    )
 
 
 def texts() -> dict[str, str]:

@@ -130,9 +130,10 @@ def _nuisance(done: Pass) -> dict[str, Nuisance]:
     names = {
         "yaw_bias": "output_bias",
         "steer_offset": "input_offset",
+        "steer_scale": "input_scale",
         "disturbance": "disturbance",
     }
-    units = {"yaw_bias": "rad/s", "steer_offset": "rad", "disturbance": "rad"}
+    units = {"yaw_bias": "rad/s", "steer_offset": "rad", "steer_scale": "-", "disturbance": "rad"}
     std = np.sqrt(np.diag(done.covariance(list(names.values()))))
     return {
         name: Nuisance(done.value(field), float(s), units[name])

@@ -79,3 +79,23 @@ class Prior:
         covariance[i, :] = covariance[:, i] = 0.0
         covariance[i, i] = std**2
         return replace(self, mean=mean, covariance=covariance, origins={**self.origins, name: origin})
+
+    def beside(self, name: str, kind: str, mean: float, std: float, origin: str) -> Prior:
+        """The same with one more unknown, independent of the others.
+
+        Parameters
+        ----------
+        name, kind : of the unknown, ``"log"`` or ``"linear"``.
+        mean : its value [its unit]. std : sd of its coordinate.
+        origin : where they came from, in words.
+        """
+        n = len(self.names)
+        covariance = np.zeros((n + 1, n + 1))
+        covariance[:n, :n], covariance[n, n] = self.covariance, std**2
+        return Prior(
+            (*self.names, name),
+            (*self.kinds, kind),
+            np.append(self.mean, mean),
+            covariance,
+            {**self.origins, name: origin},
+        )

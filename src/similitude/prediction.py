@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 from similitude.batch_fit import BatchFit
 from similitude.batch_pass import FROZEN
 from similitude.filter_run import Setup, side_by_side
+from similitude.program.library import shipped
 
 HORIZON = 1.0  # s
+AVERAGES = "bicycle_population"  # the paper's linear car, held at the population's averages
 MOST = 600  # predictions, about: five minutes twice a second; of a longer log they lie further apart
 
 
@@ -24,6 +26,7 @@ MOST = 600  # predictions, about: five minutes twice a second; of a longer log t
 class _Start:
     """Configuration, state before the first row, and rows (n, 4) of what predicts."""
 
+    setup: Setup
     config: NDArray[np.float64]
     state: NDArray[np.float64]
     rows: NDArray[np.float64]
@@ -32,7 +35,7 @@ class _Start:
 def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: bool = True) -> dict[str, Any]:
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
-    Against the frozen averages of the population (with offset and bias followed), the batch fit's car
+    Against the average car with linear tyres (with offset and bias followed), the batch fit's car
     with its own offset and bias (it has seen the whole log, the future included), and the kinematic
     yaw rate U delta/L; the steer and speed that were driven are used.
 
@@ -49,14 +52,15 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
             ``ratio_to_batch``; None where nothing could be judged.
     """
     rows = setup.samples()
-    starts = {"frozen_averages": _started(setup, rows, **FROZEN)}
+    averages = replace(setup, library=shipped(AVERAGES))
+    starts = {"frozen_averages": _started(averages, rows, **FROZEN)}
     if recursive:
         starts["estimate"] = _started(setup, rows)
     if batch is not None:
         held = replace(batch.frozen, setup=setup)
         config, state = held.ready(batch.x, batch.scales, zero=batch.zero, held=True)
-        starts["batch"] = _Start(config, state, held.rows(batch.x))
-    done = side_by_side([lambda start=start: _ahead(setup, start) for start in starts.values()])
+        starts["batch"] = _Start(setup, config, state, held.rows(batch.x))
+    done = side_by_side([lambda start=start: _ahead(start) for start in starts.values()])
     ahead = dict(zip(starts, done, strict=True))
     if not recursive:
         ahead["estimate"] = ahead["batch"]
@@ -77,7 +81,7 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
 
 def _started(setup: Setup, rows: NDArray[np.float64], **changes: float) -> _Start:
     config = setup.config(**changes)
-    return _Start(config, setup.library.start(config), rows)
+    return _Start(setup, config, setup.library.start(config), rows)
 
 
 def _ratio(one: float | None, other: float | None) -> float | None:
@@ -88,10 +92,9 @@ def _rms(errors: NDArray[np.float64]) -> float | None:
     return float(np.sqrt(np.mean(errors**2))) if errors.size else None
 
 
-def _ahead(
-    setup: Setup, start: _Start
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _ahead(start: _Start) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Predicted and measured yaw rate a second after every half second, and the kinematic one."""
+    setup = start.setup
     library, log = setup.library, setup.log
     config, state, samples = start.config, start.state, start.rows
     blind = samples.copy()

@@ -14,6 +14,7 @@ import sympy as sp
 
 from similitude.errors import ModelError
 from similitude.groups import Groups
+from similitude.saturation import Saturation
 
 
 @dataclass(frozen=True)
@@ -75,7 +76,10 @@ class Reduction:
     def _reduce(self, expression: sp.Expr) -> sp.Expr:
         replace = {g.symbol: self.substitution[g.name] for g in self.groups.groups}
         reduced = sp.sympify(expression).subs(replace, simultaneous=True)
-        return _structured(reduced, [u.symbol for u in self.unknowns if u.kind == "log"])
+        logs = [u.symbol for u in self.unknowns if u.kind == "log"]
+        saturated = {f: sp.Dummy(f"s{i}", real=True) for i, f in enumerate(_saturations(reduced))}
+        back = {dummy: f.func(sp.factor(f.args[0])) for f, dummy in saturated.items()}
+        return _structured(reduced.xreplace(saturated), logs).xreplace(back)
 
     @property
     def rates(self) -> dict[str, sp.Expr]:
@@ -86,6 +90,10 @@ class Reduction:
     def output_map(self) -> dict[str, sp.Expr]:
         """Dimensionless outputs in the same symbols."""
         return {name: self._reduce(out) for name, out in self.groups.output_map.items()}
+
+
+def _saturations(expression: sp.Expr) -> list[sp.Expr]:
+    return sorted(expression.atoms(Saturation), key=sp.default_sort_key)
 
 
 def _structured(expression: sp.Expr, symbols: list[sp.Symbol]) -> sp.Expr:

@@ -26,6 +26,7 @@ import sympy as sp
 
 from similitude.matrix_function import MatrixFunction
 from similitude.program.ir import Assign, shared
+from similitude.saturation import arguments, spelt
 
 h = sp.Symbol("h", real=True)  # dimensionless length of the step [-]
 
@@ -112,8 +113,16 @@ def _shared(
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
-    named, reciprocals = _reciprocals(named)
-    return reciprocals + shared("c", named, {f"f_{x.name}": "rate [-]" for x in states})
+    loads = arguments(named)
+    named, reciprocals = _reciprocals(named | loads)
+    loads = {name: named.pop(name) for name in loads}
+    saturated, named = spelt(named, loads)
+    return [
+        *reciprocals,
+        *shared("s", loads, dict.fromkeys(loads, "force over its limit [-]")),
+        *saturated,
+        *shared("c", named, {f"f_{x.name}": "rate [-]" for x in states}),
+    ]
 
 
 def _reciprocals(named: Mapping[str, sp.Expr]) -> tuple[dict[str, sp.Expr], list[Assign]]:

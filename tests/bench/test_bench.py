@@ -123,11 +123,11 @@ def test_record_is_json_and_says_which_bounds_hold():
     assert found["times"][0]["name"] == "a"
 
 
-def test_compiled_measurements_name_both_bounds():
+def test_compiled_measurements_name_their_bounds():
     rows, bounds = compiled(QUICK)
 
     assert {bound.over for bound in bounds} <= {row.name for row in rows}
-    assert [bound.bound for bound in bounds] == [12.0, 1.3]
+    assert [bound.bound for bound in bounds] == [12.0, 16.0, 1.3]
     assert all(row.median_us > 0 for row in rows)
 
 

@@ -89,8 +89,8 @@ def test_reciprocals_are_taken_once_and_change_no_value(layout):
         assert evaluate(inverted, inside) == pytest.approx(evaluate(expression, values), rel=1e-15)
 
 
-def test_considered_are_those_of_that_role_and_the_inputs_scale():
+def test_considered_are_those_of_that_role():
     layout = Layout(REDUCTIONS["drive"])
 
-    assert layout.considered == ("friction", "input_scale")
+    assert layout.considered == ("friction",)
     assert layout.prior.size == 6 and layout.covariance.size == 55

@@ -305,7 +305,7 @@ def test_the_list_of_working_values_is_complete():
     fields = (program.config, program.state, program.sample, program.output, program.variables)
     declared = {s.name for kind in fields for f in kind for s in f.symbols}
     temporaries = {s.target for s in walk(program.step) if isinstance(s, Assign)} - declared
-    model = {"v_star", "r_star", "U", "L", "delta", "r", *CAR.names}
+    model = {"v_star", "r_star", "U", "L", "delta", "r", *CAR.names, "input_scale"}
     own = {
         t
         for t in temporaries

@@ -212,7 +212,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         ),
     ]
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
-    weight = {n: "learn_slow" for n in layout.unknowns} | {layout.target: "learn"}
+    weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: "learn"}
     lines += [
         Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in gains.items()
     ]
@@ -255,9 +255,9 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
         name = layout.coordinates[i]
         if name == layout.target:
             lines.append(Assign("move", S("move") + gain * nu))
-        elif name in kinds and kinds[name].kind == "log":
+        elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
-            lines += _move(kinds[name], f"move_{name}")
+            lines += _move_log(name, f"move_{name}")
         else:
             lines.append(Assign(name, S(name) + gain * nu))
     return lines
@@ -267,11 +267,15 @@ def _move(unknown: Unknown, by: str) -> list[Statement]:
     """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
     if unknown.kind == "linear":
         return [Assign(unknown.name, unknown.symbol + S(by))]
+    return _move_log(unknown.name, by)
+
+
+def _move_log(name: str, by: str) -> list[Statement]:
     bounded = S(f"bounded_{by}")
     return [
         Assign(f"above_{by}", sp.Max(S(by), -1)),
         Assign(bounded.name, sp.Min(S(f"above_{by}"), 1)),
-        Assign(unknown.name, unknown.symbol * _exponential(bounded)),
+        Assign(name, S(name) * _exponential(bounded)),
     ]
 
 

@@ -48,7 +48,7 @@ class Layout:
     @property
     def considered(self) -> tuple[str, ...]:
         """Coordinates that stay at their prior, whose uncertainty is carried along."""
-        return (*(u.name for u in self.reduction.unknowns if u.role == "consider"), INPUT_SCALE)
+        return tuple(u.name for u in self.reduction.unknowns if u.role == "consider")
 
     @property
     def covariance(self) -> Symmetric:
@@ -131,6 +131,8 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("prior_information", "-", f"1/prior variance of ln {t}"),
         *limits,
         Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
+        Field("input_scale_low", "-", f"least scale of {i.name}"),
+        Field("input_scale_high", "-", f"greatest scale of {i.name}"),
         Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
         Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}"),
         *(Field(f"{name}_sd", "-", "sd after a restart") for name in layout.fast),
@@ -187,6 +189,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
+        Field(INPUT_SCALE, "-", f"{i.name} that acts over {i.name} measured"),
         Field(OFFSET, i.unit, f"offset of {i.name}"),
         Field(BIAS, o.unit, f"bias of {o.name}"),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),

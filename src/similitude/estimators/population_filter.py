@@ -110,7 +110,7 @@ def _init(layout: Layout) -> list[Statement]:
         Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)
     ]
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
-    lines += [Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
+    lines += [Assign(INPUT_SCALE, sp.Integer(1)), Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
     lines += [
         Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, INPUT_SCALE, OFFSET, BIAS)
@@ -258,8 +258,9 @@ def _dynamics(layout: Layout) -> list[Statement]:
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
         lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
-    lines.append(Assign("steer", (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
-    lines.append(Assign("steer_change", S("u_now") - S("last_input")))
+    scale = S(INPUT_SCALE)
+    lines.append(Assign("steer", scale * (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
+    lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
     plain = S("steer")  # an estimated offset holds the noise it came from
     unit = layout.inverted(1 / groups.scale[layout.input.name])
     lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
@@ -322,11 +323,10 @@ def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
     lines: list[Statement] = []
     hit = []
-    moving = [u for u in layout.reduction.unknowns if u.role != "consider"]
-    for u in moving:
-        low, high = S(f"{u.name}_low"), S(f"{u.name}_high")
-        hit += [u.symbol < low, u.symbol > high]
-    clip = [Assign(u.name, sp.Min(sp.Max(u.symbol, S(f"{u.name}_low")), S(f"{u.name}_high"))) for u in moving]
+    moving = [u.name for u in layout.reduction.unknowns if u.role != "consider"] + [INPUT_SCALE]
+    for name in moving:
+        hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
+    clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
     at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
     lines.append(Assign("last_input", S("u_now")))

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1102 at most, 5 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 81 reals, configuration 62 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1128 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 82 reals, configuration 64 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -61,6 +61,8 @@ typedef struct bicycle_population_config {
     bicycle_population_real rho_low;                 /* [-] lowest value the population allows */
     bicycle_population_real rho_high;                /* [-] highest value the population allows */
     bicycle_population_real input_scale_sd;          /* [-] sd of the scale of delta, also that of the known scales */
+    bicycle_population_real input_scale_low;         /* [-] least scale of delta */
+    bicycle_population_real input_scale_high;        /* [-] greatest scale of delta */
     bicycle_population_real input_offset_sd;         /* [rad] prior sd of the offset of delta */
     bicycle_population_real output_bias_sd;          /* [rad/s] prior sd of the bias of r */
     bicycle_population_real v_star_sd;               /* [-] sd after a restart */
@@ -110,6 +112,7 @@ typedef struct bicycle_population_state {
     bicycle_population_real pi1;                     /* [-] a/L, position of the centre of gravity */
     bicycle_population_real eta;                     /* [-] rear over front cornering coefficient; > 1 understeers */
     bicycle_population_real rho;                     /* [-] Iz/(m a b), yaw inertia ratio */
+    bicycle_population_real input_scale;             /* [-] delta that acts over delta measured */
     bicycle_population_real input_offset;            /* [rad] offset of delta */
     bicycle_population_real output_bias;             /* [rad/s] bias of r */
     bicycle_population_real P[55];                   /* [-] covariance of the coordinates above, upper triangle by rows */
@@ -181,6 +184,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     bicycle_population_real excited;
     bicycle_population_real information;
     bicycle_population_real input_offset;
+    bicycle_population_real input_scale;
     bicycle_population_real jump;
     bicycle_population_real last_U;
     bicycle_population_real last_input;
@@ -206,6 +210,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     pi1 = pi1_prior;
     eta = eta_prior;
     rho = rho_prior;
+    input_scale = R(1.0);
     input_offset = R(0.0);
     output_bias = R(0.0);
     P[0] = R(0.0);
@@ -303,6 +308,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->pi1 = pi1;
     state->eta = eta;
     state->rho = rho;
+    state->input_scale = input_scale;
     state->input_offset = input_offset;
     state->output_bias = output_bias;
     state->noise_scale = noise_scale;
@@ -335,6 +341,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     const bicycle_population_real eta_high = config->eta_high;
     const bicycle_population_real rho_low = config->rho_low;
     const bicycle_population_real rho_high = config->rho_high;
+    const bicycle_population_real input_scale_low = config->input_scale_low;
+    const bicycle_population_real input_scale_high = config->input_scale_high;
     const bicycle_population_real v_star_sd = config->v_star_sd;
     const bicycle_population_real r_star_sd = config->r_star_sd;
     const bicycle_population_real noise_variance = config->noise_variance;
@@ -383,6 +391,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     bicycle_population_real pi1 = state->pi1;
     bicycle_population_real eta = state->eta;
     bicycle_population_real rho = state->rho;
+    bicycle_population_real input_scale = state->input_scale;
     bicycle_population_real input_offset = state->input_offset;
     bicycle_population_real output_bias = state->output_bias;
     bicycle_population_real noise_scale = state->noise_scale;
@@ -515,8 +524,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
         r_star = r_star*ratio_r_star;
         r_star_plain = r_star_plain*ratio_r_star;
-        const bicycle_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_population_real steer_change = u_now - last_input;
+        const bicycle_population_real steer = R(0.5)*input_scale*(last_input + u_now); /* mean of the sample's two ends */
+        const bicycle_population_real steer_change = input_scale*(u_now - last_input);
         const bicycle_population_real u_plain = steer; /* measured input alone [-] */
         const bicycle_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
         const bicycle_population_real inv0 = (R(1.0)/rho);
@@ -759,6 +768,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real gain_3 = c_3*learn;
             const bicycle_population_real gain_5 = c_5*learn_slow;
             const bicycle_population_real gain_6 = c_6*learn_slow;
+            const bicycle_population_real gain_7 = c_7*learn_slow;
             const bicycle_population_real gain_8 = c_8*inv_spread;
             const bicycle_population_real gain_9 = c_9*inv_spread;
             const bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
@@ -799,6 +809,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             P[33] = P[33] - c_3*gain_9;
             P[35] = P[35] - c_4*gain_5;
             P[36] = P[36] - c_4*gain_6;
+            P[37] = P[37] - c_4*gain_7;
             P[38] = P[38] - c_4*gain_8;
             P[39] = P[39] - c_4*gain_9;
             P[40] = P[40] - c_5*gain_5;
@@ -810,6 +821,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             P[46] = P[46] - c_7*gain_6;
             P[47] = P[47] - c_6*gain_8;
             P[48] = P[48] - c_6*gain_9;
+            P[49] = P[49] - c_7*gain_7;
             P[50] = P[50] - c_7*gain_8;
             P[51] = P[51] - c_7*gain_9;
             P[52] = P[52] - c_8*gain_8;
@@ -827,6 +839,10 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
             const bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
             rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            const bicycle_population_real move_input_scale = gain_7*innovation;
+            const bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+            const bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+            input_scale = input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
             input_offset = input_offset + gain_8*innovation;
             output_bias = output_bias + gain_9*innovation;
             settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
@@ -850,10 +866,11 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
             K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
             eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
             rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
+            input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
             if (usable > R(0.5)) {
                 status = R(3.0);
             }
@@ -880,6 +897,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     state->K = K;
     state->eta = eta;
     state->rho = rho;
+    state->input_scale = input_scale;
     state->input_offset = input_offset;
     state->output_bias = output_bias;
     state->noise_scale = noise_scale;

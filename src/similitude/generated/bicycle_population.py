@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1102
+OPERATIONS = 1128
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -30,6 +30,8 @@ CONFIG = (
     ('rho_low', '-', 'lowest value the population allows', 1),
     ('rho_high', '-', 'highest value the population allows', 1),
     ('input_scale_sd', '-', 'sd of the scale of delta, also that of the known scales', 1),
+    ('input_scale_low', '-', 'least scale of delta', 1),
+    ('input_scale_high', '-', 'greatest scale of delta', 1),
     ('input_offset_sd', 'rad', 'prior sd of the offset of delta', 1),
     ('output_bias_sd', 'rad/s', 'prior sd of the bias of r', 1),
     ('v_star_sd', '-', 'sd after a restart', 1),
@@ -79,6 +81,7 @@ STATE = (
     ('pi1', '-', 'a/L, position of the centre of gravity', 1),
     ('eta', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
     ('rho', '-', 'Iz/(m a b), yaw inertia ratio', 1),
+    ('input_scale', '-', 'delta that acts over delta measured', 1),
     ('input_offset', 'rad', 'offset of delta', 1),
     ('output_bias', 'rad/s', 'bias of r', 1),
     ('P', '-', 'covariance of the coordinates above, upper triangle by rows', 55),
@@ -133,12 +136,12 @@ def init(config):
     P_prior_8 = config[13]
     P_prior_9 = config[14]
     input_scale_sd = config[24]
-    input_offset_sd = config[25]
-    output_bias_sd = config[26]
-    v_star_sd = config[27]
-    r_star_sd = config[28]
-    disturbance_floor = config[39]
-    disturbance_scale_start = config[43]
+    input_offset_sd = config[27]
+    output_bias_sd = config[28]
+    v_star_sd = config[29]
+    r_star_sd = config[30]
+    disturbance_floor = config[41]
+    disturbance_scale_start = config[45]
     v_star = 0.0
     r_star = 0.0
     v_star_plain = 0.0
@@ -148,6 +151,7 @@ def init(config):
     pi1 = pi1_prior
     eta = eta_prior
     rho = rho_prior
+    input_scale = 1.0
     input_offset = 0.0
     output_bias = 0.0
     P_0 = 0.0
@@ -236,7 +240,7 @@ def init(config):
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -250,40 +254,42 @@ def step(config, state, sample):
     eta_high = config[21]
     rho_low = config[22]
     rho_high = config[23]
-    v_star_sd = config[27]
-    r_star_sd = config[28]
-    noise_variance = config[29]
-    drift = config[30]
-    idle_drift = config[31]
-    jump_drift = config[32]
-    bias_drift = config[33]
-    timing_error = config[34]
-    companion_rate = config[35]
-    structure_share = config[36]
-    structure_time = config[37]
-    activity_rate = config[38]
-    disturbance_floor = config[39]
-    disturbance_share = config[40]
-    disturbance_rate = config[41]
-    disturbance_adapt = config[42]
-    disturbance_scale_low = config[44]
-    disturbance_scale_high = config[45]
-    noise_adapt = config[46]
-    noise_scale_low = config[47]
-    noise_scale_high = config[48]
-    excitation_ratio = config[49]
-    excitation_rate = config[50]
-    surprise_rate = config[51]
-    jump_ratio = config[52]
-    surprise_limit = config[53]
-    observed_least = config[54]
-    outlier_ratio = config[55]
-    gap = config[56]
-    input_limit = config[57]
-    output_limit = config[58]
-    signal_limit = config[59]
-    validity_limit = config[60]
-    validity_rate = config[61]
+    input_scale_low = config[25]
+    input_scale_high = config[26]
+    v_star_sd = config[29]
+    r_star_sd = config[30]
+    noise_variance = config[31]
+    drift = config[32]
+    idle_drift = config[33]
+    jump_drift = config[34]
+    bias_drift = config[35]
+    timing_error = config[36]
+    companion_rate = config[37]
+    structure_share = config[38]
+    structure_time = config[39]
+    activity_rate = config[40]
+    disturbance_floor = config[41]
+    disturbance_share = config[42]
+    disturbance_rate = config[43]
+    disturbance_adapt = config[44]
+    disturbance_scale_low = config[46]
+    disturbance_scale_high = config[47]
+    noise_adapt = config[48]
+    noise_scale_low = config[49]
+    noise_scale_high = config[50]
+    excitation_ratio = config[51]
+    excitation_rate = config[52]
+    surprise_rate = config[53]
+    jump_ratio = config[54]
+    surprise_limit = config[55]
+    observed_least = config[56]
+    outlier_ratio = config[57]
+    gap = config[58]
+    input_limit = config[59]
+    output_limit = config[60]
+    signal_limit = config[61]
+    validity_limit = config[62]
+    validity_rate = config[63]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -297,78 +303,79 @@ def step(config, state, sample):
     pi1 = state[6]
     eta = state[7]
     rho = state[8]
-    input_offset = state[9]
-    output_bias = state[10]
-    P_0 = state[11]
-    P_1 = state[12]
-    P_2 = state[13]
-    P_3 = state[14]
-    P_4 = state[15]
-    P_5 = state[16]
-    P_6 = state[17]
-    P_7 = state[18]
-    P_8 = state[19]
-    P_9 = state[20]
-    P_10 = state[21]
-    P_11 = state[22]
-    P_12 = state[23]
-    P_13 = state[24]
-    P_14 = state[25]
-    P_15 = state[26]
-    P_16 = state[27]
-    P_17 = state[28]
-    P_18 = state[29]
-    P_19 = state[30]
-    P_20 = state[31]
-    P_21 = state[32]
-    P_22 = state[33]
-    P_23 = state[34]
-    P_24 = state[35]
-    P_25 = state[36]
-    P_26 = state[37]
-    P_27 = state[38]
-    P_28 = state[39]
-    P_29 = state[40]
-    P_30 = state[41]
-    P_31 = state[42]
-    P_32 = state[43]
-    P_33 = state[44]
-    P_34 = state[45]
-    P_35 = state[46]
-    P_36 = state[47]
-    P_37 = state[48]
-    P_38 = state[49]
-    P_39 = state[50]
-    P_40 = state[51]
-    P_41 = state[52]
-    P_42 = state[53]
-    P_43 = state[54]
-    P_44 = state[55]
-    P_45 = state[56]
-    P_46 = state[57]
-    P_47 = state[58]
-    P_48 = state[59]
-    P_49 = state[60]
-    P_50 = state[61]
-    P_51 = state[62]
-    P_52 = state[63]
-    P_53 = state[64]
-    P_54 = state[65]
-    noise_scale = state[66]
-    disturbance_scale = state[67]
-    activity = state[68]
-    settling = state[69]
-    restlessness = state[70]
-    jump = state[71]
-    surprise = state[72]
-    excitation = state[73]
-    excited = state[74]
-    validity = state[75]
-    information = state[76]
-    last_input = state[77]
-    last_U = state[78]
-    age = state[79]
-    started = state[80]
+    input_scale = state[9]
+    input_offset = state[10]
+    output_bias = state[11]
+    P_0 = state[12]
+    P_1 = state[13]
+    P_2 = state[14]
+    P_3 = state[15]
+    P_4 = state[16]
+    P_5 = state[17]
+    P_6 = state[18]
+    P_7 = state[19]
+    P_8 = state[20]
+    P_9 = state[21]
+    P_10 = state[22]
+    P_11 = state[23]
+    P_12 = state[24]
+    P_13 = state[25]
+    P_14 = state[26]
+    P_15 = state[27]
+    P_16 = state[28]
+    P_17 = state[29]
+    P_18 = state[30]
+    P_19 = state[31]
+    P_20 = state[32]
+    P_21 = state[33]
+    P_22 = state[34]
+    P_23 = state[35]
+    P_24 = state[36]
+    P_25 = state[37]
+    P_26 = state[38]
+    P_27 = state[39]
+    P_28 = state[40]
+    P_29 = state[41]
+    P_30 = state[42]
+    P_31 = state[43]
+    P_32 = state[44]
+    P_33 = state[45]
+    P_34 = state[46]
+    P_35 = state[47]
+    P_36 = state[48]
+    P_37 = state[49]
+    P_38 = state[50]
+    P_39 = state[51]
+    P_40 = state[52]
+    P_41 = state[53]
+    P_42 = state[54]
+    P_43 = state[55]
+    P_44 = state[56]
+    P_45 = state[57]
+    P_46 = state[58]
+    P_47 = state[59]
+    P_48 = state[60]
+    P_49 = state[61]
+    P_50 = state[62]
+    P_51 = state[63]
+    P_52 = state[64]
+    P_53 = state[65]
+    P_54 = state[66]
+    noise_scale = state[67]
+    disturbance_scale = state[68]
+    activity = state[69]
+    settling = state[70]
+    restlessness = state[71]
+    jump = state[72]
+    surprise = state[73]
+    excitation = state[74]
+    excited = state[75]
+    validity = state[76]
+    information = state[77]
+    last_input = state[78]
+    last_U = state[79]
+    age = state[80]
+    started = state[81]
     U_now = 0.0
     anew = 0.0
     diffusion = 0.0
@@ -477,8 +484,8 @@ def step(config, state, sample):
         ratio_r_star = inv_U*was_U  # same physical state in the new scales
         r_star = r_star*ratio_r_star
         r_star_plain = r_star_plain*ratio_r_star
-        steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
-        steer_change = u_now - last_input
+        steer = 0.5*input_scale*(last_input + u_now)  # mean of the sample's two ends
+        steer_change = input_scale*(u_now - last_input)
         u_plain = steer  # measured input alone [-]
         u = disturbance + input_offset + u_plain  # effective input [-]
         inv0 = (1.0/rho)
@@ -719,6 +726,7 @@ def step(config, state, sample):
             gain_3 = c_3*learn
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
+            gain_7 = c_7*learn_slow
             gain_8 = c_8*inv_spread
             gain_9 = c_9*inv_spread
             gained = c_3*gain_3*inv_P  # share of the variance removed
@@ -759,6 +767,7 @@ def step(config, state, sample):
             P_33 = P_33 - c_3*gain_9
             P_35 = P_35 - c_4*gain_5
             P_36 = P_36 - c_4*gain_6
+            P_37 = P_37 - c_4*gain_7
             P_38 = P_38 - c_4*gain_8
             P_39 = P_39 - c_4*gain_9
             P_40 = P_40 - c_5*gain_5
@@ -770,6 +779,7 @@ def step(config, state, sample):
             P_46 = P_46 - c_7*gain_6
             P_47 = P_47 - c_6*gain_8
             P_48 = P_48 - c_6*gain_9
+            P_49 = P_49 - c_7*gain_7
             P_50 = P_50 - c_7*gain_8
             P_51 = P_51 - c_7*gain_9
             P_52 = P_52 - c_8*gain_8
@@ -787,6 +797,10 @@ def step(config, state, sample):
             above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
             bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
             rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
+            move_input_scale = gain_7*innovation
+            above_move_input_scale = ((-1.0) if ((-1.0)) > (move_input_scale) else move_input_scale)
+            bounded_move_input_scale = (1.0 if (1.0) < (above_move_input_scale) else above_move_input_scale)
+            input_scale = input_scale*(1.0 + bounded_move_input_scale*(1.0 + bounded_move_input_scale*(0.5 + 0.16666666666666666*bounded_move_input_scale)))
             input_offset = input_offset + gain_8*innovation
             output_bias = output_bias + gain_9*innovation
             settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
@@ -807,10 +821,11 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
             K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
             eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
             rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
+            input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
             if usable > 0.5:
                 status = 3.0
         last_input = u_now
@@ -824,5 +839,5 @@ def step(config, state, sample):
     estimate = K
     variance = P_27
     information_gained = information
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

@@ -1,0 +1,1045 @@
+/* Population filter of the saturating_bicycle. Generated from its model by similitude; do not edit.
+ *
+ *   model: saturating_bicycle, Brennan & Alleyne 2004, eqs 1-4, with saturating tyres
+ *   base: m, L, U
+ *   unknowns: K, pi1, eta, rho, grip
+ *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
+ *
+ * Operations: step 1394 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 94 reals, configuration 72 reals; no heap, no globals, no libm, C99.
+ * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
+ */
+
+#ifndef SIMILITUDE_REAL
+#define SIMILITUDE_REAL double
+#endif
+#ifndef SIMILITUDE_API
+#if defined(_WIN32)
+#define SIMILITUDE_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define SIMILITUDE_API __attribute__((visibility("default")))
+#else
+#define SIMILITUDE_API
+#endif
+#endif
+#ifndef SIMILITUDE_INLINE
+#if defined(__GNUC__)
+#define SIMILITUDE_INLINE static inline __attribute__((always_inline))
+#else
+#define SIMILITUDE_INLINE static inline
+#endif
+#endif
+
+typedef SIMILITUDE_REAL saturating_bicycle_population_real;
+#define R(x) ((saturating_bicycle_population_real)(x))
+
+enum saturating_bicycle_population_status {
+    SATURATING_BICYCLE_POPULATION_OK = 0,
+    SATURATING_BICYCLE_POPULATION_NOT_EXCITED = 1,
+    SATURATING_BICYCLE_POPULATION_OUTSIDE_LINEAR = 2,
+    SATURATING_BICYCLE_POPULATION_AT_LIMIT = 3,
+    SATURATING_BICYCLE_POPULATION_NO_MEASUREMENT = 4,
+    SATURATING_BICYCLE_POPULATION_RESTARTED = 5,
+    SATURATING_BICYCLE_POPULATION_TOO_SLOW = 6,
+    SATURATING_BICYCLE_POPULATION_BAD_SAMPLE = 7
+};
+
+typedef struct saturating_bicycle_population_config {
+    saturating_bicycle_population_real L;            /* [m] wheelbase */
+    saturating_bicycle_population_real K_prior;      /* [m^2/s^2] prior of Caf L/m, front cornering stiffness per mass and length */
+    saturating_bicycle_population_real pi1_prior;    /* [-] prior of a/L, position of the centre of gravity */
+    saturating_bicycle_population_real eta_prior;    /* [-] prior of rear over front cornering coefficient; > 1 understeers */
+    saturating_bicycle_population_real rho_prior;    /* [-] prior of Iz/(m a b), yaw inertia ratio */
+    saturating_bicycle_population_real grip_prior;   /* [m/s^2] prior of mu g, greatest lateral acceleration */
+    saturating_bicycle_population_real P_prior[15];  /* [-] prior covariance of the unknowns' coordinates, upper triangle */
+    saturating_bicycle_population_real prior_information; /* [-] 1/prior variance of ln K */
+    saturating_bicycle_population_real K_low;        /* [m^2/s^2] lowest value the population allows */
+    saturating_bicycle_population_real K_high;       /* [m^2/s^2] highest value the population allows */
+    saturating_bicycle_population_real pi1_low;      /* [-] lowest value the population allows */
+    saturating_bicycle_population_real pi1_high;     /* [-] highest value the population allows */
+    saturating_bicycle_population_real eta_low;      /* [-] lowest value the population allows */
+    saturating_bicycle_population_real eta_high;     /* [-] highest value the population allows */
+    saturating_bicycle_population_real rho_low;      /* [-] lowest value the population allows */
+    saturating_bicycle_population_real rho_high;     /* [-] highest value the population allows */
+    saturating_bicycle_population_real grip_low;     /* [m/s^2] lowest value the population allows */
+    saturating_bicycle_population_real grip_high;    /* [m/s^2] highest value the population allows */
+    saturating_bicycle_population_real input_scale_sd; /* [-] sd of the scale of delta, also that of the known scales */
+    saturating_bicycle_population_real input_scale_low; /* [-] least scale of delta */
+    saturating_bicycle_population_real input_scale_high; /* [-] greatest scale of delta */
+    saturating_bicycle_population_real input_offset_sd; /* [rad] prior sd of the offset of delta */
+    saturating_bicycle_population_real output_bias_sd; /* [rad/s] prior sd of the bias of r */
+    saturating_bicycle_population_real v_star_sd;    /* [-] sd after a restart */
+    saturating_bicycle_population_real r_star_sd;    /* [-] sd after a restart */
+    saturating_bicycle_population_real noise_variance; /* [(rad/s)^2] white noise of r a sample */
+    saturating_bicycle_population_real drift;        /* [1/s] diffusion of ln K while it is observed */
+    saturating_bicycle_population_real idle_drift;   /* [1/s] diffusion of ln K while nothing is heard of it */
+    saturating_bicycle_population_real jump_drift;   /* [1/s] further diffusion per unit of surprise above its limit */
+    saturating_bicycle_population_real bias_drift;   /* [(rad/s)^2/s] random walk of the output bias */
+    saturating_bicycle_population_real timing_error; /* [s] timing error between input and output */
+    saturating_bicycle_population_real companion_rate; /* [1/s] rate at which the uncorrected states follow the estimate */
+    saturating_bicycle_population_real structure_share; /* [-] structural error as a share of the output's activity */
+    saturating_bicycle_population_real structure_time; /* [s] correlation time of the structural error */
+    saturating_bicycle_population_real activity_rate; /* [1/s] averaging rate of the output's activity */
+    saturating_bicycle_population_real disturbance_floor; /* [rad] disturbance at rest, equivalent input */
+    saturating_bicycle_population_real disturbance_share; /* [-] disturbance as a share of the dimensionless activity */
+    saturating_bicycle_population_real disturbance_rate; /* [1/s] 1/correlation time of the disturbance */
+    saturating_bicycle_population_real disturbance_adapt; /* [1/s] adaptation rate of the disturbance's size */
+    saturating_bicycle_population_real disturbance_scale_start; /* [-] disturbance variance against nominal at the start */
+    saturating_bicycle_population_real disturbance_scale_low; /* [-] least disturbance variance against nominal */
+    saturating_bicycle_population_real disturbance_scale_high; /* [-] greatest disturbance variance against nominal */
+    saturating_bicycle_population_real noise_adapt;  /* [1/s] adaptation rate of the noise's size in the long run */
+    saturating_bicycle_population_real noise_scale_low; /* [-] least noise variance against nominal */
+    saturating_bicycle_population_real noise_scale_high; /* [-] greatest noise variance against nominal */
+    saturating_bicycle_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
+    saturating_bicycle_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
+    saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
+    saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
+    saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    saturating_bicycle_population_real observed_least; /* [-] least share of the disturbance taken as observed */
+    saturating_bicycle_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
+    saturating_bicycle_population_real gap;          /* [s] longest time without a usable sample before a restart */
+    saturating_bicycle_population_real input_limit;  /* [rad] greatest believable delta */
+    saturating_bicycle_population_real output_limit; /* [rad/s] greatest believable r */
+    saturating_bicycle_population_real signal_limit; /* [m/s] greatest believable scale */
+    saturating_bicycle_population_real validity_limit; /* [m/s^2] edge of the model's linear range */
+    saturating_bicycle_population_real validity_rate; /* [1/s] decay rate of the memory of a visit outside the linear range */
+} saturating_bicycle_population_config;
+
+typedef struct saturating_bicycle_population_state {
+    saturating_bicycle_population_real v_star;       /* [-] dimensionless state */
+    saturating_bicycle_population_real r_star;       /* [-] dimensionless state */
+    saturating_bicycle_population_real v_star_plain; /* [-] the same, not corrected by measurements */
+    saturating_bicycle_population_real r_star_plain; /* [-] the same, not corrected by measurements */
+    saturating_bicycle_population_real disturbance;  /* [rad] disturbance as an equivalent delta */
+    saturating_bicycle_population_real K;            /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    saturating_bicycle_population_real pi1;          /* [-] a/L, position of the centre of gravity */
+    saturating_bicycle_population_real eta;          /* [-] rear over front cornering coefficient; > 1 understeers */
+    saturating_bicycle_population_real rho;          /* [-] Iz/(m a b), yaw inertia ratio */
+    saturating_bicycle_population_real grip;         /* [m/s^2] mu g, greatest lateral acceleration */
+    saturating_bicycle_population_real input_scale;  /* [-] delta that acts over delta measured */
+    saturating_bicycle_population_real input_offset; /* [rad] offset of delta */
+    saturating_bicycle_population_real output_bias;  /* [rad/s] bias of r */
+    saturating_bicycle_population_real P[66];        /* [-] covariance of the coordinates above, upper triangle by rows */
+    saturating_bicycle_population_real noise_scale;  /* [-] noise variance against nominal */
+    saturating_bicycle_population_real disturbance_scale; /* [-] disturbance variance against nominal */
+    saturating_bicycle_population_real activity;     /* [(rad/s)^2] mean square of the predicted output */
+    saturating_bicycle_population_real settling;     /* [1/s] adaptation rate of the noise's size now, fast at first */
+    saturating_bicycle_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
+    saturating_bicycle_population_real jump;         /* [-] surprise taken as a jump of the first unknown */
+    saturating_bicycle_population_real surprise;     /* [-] recent mean of the normalised innovation squared */
+    saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
+    saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
+    saturating_bicycle_population_real validity;     /* [(m/s^2)^2] recent peak of the validity signal, squared */
+    saturating_bicycle_population_real information;  /* [-] information gained about ln K */
+    saturating_bicycle_population_real last_input;   /* [rad] input of the sample before */
+    saturating_bicycle_population_real last_U;       /* [m/s] forward speed of the sample before */
+    saturating_bicycle_population_real age;          /* [s] time since the last usable sample */
+    saturating_bicycle_population_real started;      /* [-] 1 once a sample was used; 0 again while the scales hide the dynamics */
+} saturating_bicycle_population_state;
+
+typedef struct saturating_bicycle_population_sample {
+    saturating_bicycle_population_real dt;           /* [s] time since the sample before */
+    saturating_bicycle_population_real input;        /* [rad] road-wheel steer angle */
+    saturating_bicycle_population_real U;            /* [m/s] forward speed */
+    saturating_bicycle_population_real measured;     /* [rad/s] measured yaw rate */
+} saturating_bicycle_population_sample;
+
+typedef struct saturating_bicycle_population_output {
+    saturating_bicycle_population_real estimate;     /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    saturating_bicycle_population_real variance;     /* [-] variance of ln K */
+    saturating_bicycle_population_real predicted;    /* [rad/s] yaw rate predicted before the measurement */
+    saturating_bicycle_population_real innovation;   /* [rad/s] measured minus predicted; 0 without a measurement */
+    saturating_bicycle_population_real innovation_variance; /* [(rad/s)^2] variance of the innovation */
+    saturating_bicycle_population_real information_gained; /* [-] information gained about ln K so far */
+} saturating_bicycle_population_output;
+
+/* The state before the first sample: the prior. */
+SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state)
+{
+    const saturating_bicycle_population_real K_prior = config->K_prior;
+    const saturating_bicycle_population_real pi1_prior = config->pi1_prior;
+    const saturating_bicycle_population_real eta_prior = config->eta_prior;
+    const saturating_bicycle_population_real rho_prior = config->rho_prior;
+    const saturating_bicycle_population_real grip_prior = config->grip_prior;
+    const saturating_bicycle_population_real P_prior_0 = config->P_prior[0];
+    const saturating_bicycle_population_real P_prior_1 = config->P_prior[1];
+    const saturating_bicycle_population_real P_prior_2 = config->P_prior[2];
+    const saturating_bicycle_population_real P_prior_3 = config->P_prior[3];
+    const saturating_bicycle_population_real P_prior_4 = config->P_prior[4];
+    const saturating_bicycle_population_real P_prior_5 = config->P_prior[5];
+    const saturating_bicycle_population_real P_prior_6 = config->P_prior[6];
+    const saturating_bicycle_population_real P_prior_7 = config->P_prior[7];
+    const saturating_bicycle_population_real P_prior_8 = config->P_prior[8];
+    const saturating_bicycle_population_real P_prior_9 = config->P_prior[9];
+    const saturating_bicycle_population_real P_prior_10 = config->P_prior[10];
+    const saturating_bicycle_population_real P_prior_11 = config->P_prior[11];
+    const saturating_bicycle_population_real P_prior_12 = config->P_prior[12];
+    const saturating_bicycle_population_real P_prior_13 = config->P_prior[13];
+    const saturating_bicycle_population_real P_prior_14 = config->P_prior[14];
+    const saturating_bicycle_population_real input_scale_sd = config->input_scale_sd;
+    const saturating_bicycle_population_real input_offset_sd = config->input_offset_sd;
+    const saturating_bicycle_population_real output_bias_sd = config->output_bias_sd;
+    const saturating_bicycle_population_real v_star_sd = config->v_star_sd;
+    const saturating_bicycle_population_real r_star_sd = config->r_star_sd;
+    const saturating_bicycle_population_real disturbance_floor = config->disturbance_floor;
+    const saturating_bicycle_population_real disturbance_scale_start = config->disturbance_scale_start;
+    saturating_bicycle_population_real *const P = state->P;
+    saturating_bicycle_population_real K;
+    saturating_bicycle_population_real activity;
+    saturating_bicycle_population_real age;
+    saturating_bicycle_population_real disturbance;
+    saturating_bicycle_population_real disturbance_scale;
+    saturating_bicycle_population_real eta;
+    saturating_bicycle_population_real excitation;
+    saturating_bicycle_population_real excited;
+    saturating_bicycle_population_real grip;
+    saturating_bicycle_population_real information;
+    saturating_bicycle_population_real input_offset;
+    saturating_bicycle_population_real input_scale;
+    saturating_bicycle_population_real jump;
+    saturating_bicycle_population_real last_U;
+    saturating_bicycle_population_real last_input;
+    saturating_bicycle_population_real noise_scale;
+    saturating_bicycle_population_real output_bias;
+    saturating_bicycle_population_real pi1;
+    saturating_bicycle_population_real r_star;
+    saturating_bicycle_population_real r_star_plain;
+    saturating_bicycle_population_real restlessness;
+    saturating_bicycle_population_real rho;
+    saturating_bicycle_population_real settling;
+    saturating_bicycle_population_real started;
+    saturating_bicycle_population_real surprise;
+    saturating_bicycle_population_real v_star;
+    saturating_bicycle_population_real v_star_plain;
+    saturating_bicycle_population_real validity;
+    v_star = R(0.0);
+    r_star = R(0.0);
+    v_star_plain = R(0.0);
+    r_star_plain = R(0.0);
+    disturbance = R(0.0);
+    K = K_prior;
+    pi1 = pi1_prior;
+    eta = eta_prior;
+    rho = rho_prior;
+    grip = grip_prior;
+    input_scale = R(1.0);
+    input_offset = R(0.0);
+    output_bias = R(0.0);
+    P[0] = R(0.0);
+    P[1] = R(0.0);
+    P[2] = R(0.0);
+    P[3] = R(0.0);
+    P[4] = R(0.0);
+    P[5] = R(0.0);
+    P[6] = R(0.0);
+    P[7] = R(0.0);
+    P[8] = R(0.0);
+    P[9] = R(0.0);
+    P[10] = R(0.0);
+    P[11] = R(0.0);
+    P[12] = R(0.0);
+    P[13] = R(0.0);
+    P[14] = R(0.0);
+    P[15] = R(0.0);
+    P[16] = R(0.0);
+    P[17] = R(0.0);
+    P[18] = R(0.0);
+    P[19] = R(0.0);
+    P[20] = R(0.0);
+    P[21] = R(0.0);
+    P[22] = R(0.0);
+    P[23] = R(0.0);
+    P[24] = R(0.0);
+    P[25] = R(0.0);
+    P[26] = R(0.0);
+    P[27] = R(0.0);
+    P[28] = R(0.0);
+    P[29] = R(0.0);
+    P[30] = R(0.0);
+    P[31] = R(0.0);
+    P[32] = R(0.0);
+    P[33] = R(0.0);
+    P[34] = R(0.0);
+    P[35] = R(0.0);
+    P[36] = R(0.0);
+    P[37] = R(0.0);
+    P[38] = R(0.0);
+    P[39] = R(0.0);
+    P[40] = R(0.0);
+    P[41] = R(0.0);
+    P[42] = R(0.0);
+    P[43] = R(0.0);
+    P[44] = R(0.0);
+    P[45] = R(0.0);
+    P[46] = R(0.0);
+    P[47] = R(0.0);
+    P[48] = R(0.0);
+    P[49] = R(0.0);
+    P[50] = R(0.0);
+    P[51] = R(0.0);
+    P[52] = R(0.0);
+    P[53] = R(0.0);
+    P[54] = R(0.0);
+    P[55] = R(0.0);
+    P[56] = R(0.0);
+    P[57] = R(0.0);
+    P[58] = R(0.0);
+    P[59] = R(0.0);
+    P[60] = R(0.0);
+    P[61] = R(0.0);
+    P[62] = R(0.0);
+    P[63] = R(0.0);
+    P[64] = R(0.0);
+    P[65] = R(0.0);
+    P[0] = (v_star_sd*v_star_sd);
+    P[11] = (r_star_sd*r_star_sd);
+    P[60] = (input_scale_sd*input_scale_sd);
+    P[63] = (input_offset_sd*input_offset_sd);
+    P[65] = (output_bias_sd*output_bias_sd);
+    P[30] = P_prior_0;
+    P[31] = P_prior_1;
+    P[32] = P_prior_2;
+    P[33] = P_prior_3;
+    P[34] = P_prior_4;
+    P[38] = P_prior_5;
+    P[39] = P_prior_6;
+    P[40] = P_prior_7;
+    P[41] = P_prior_8;
+    P[45] = P_prior_9;
+    P[46] = P_prior_10;
+    P[47] = P_prior_11;
+    P[51] = P_prior_12;
+    P[52] = P_prior_13;
+    P[56] = P_prior_14;
+    noise_scale = R(1.0);
+    surprise = R(1.0);
+    settling = R(1.0);
+    disturbance_scale = disturbance_scale_start;
+    P[21] = disturbance_scale*(disturbance_floor*disturbance_floor);
+    restlessness = R(0.0);
+    jump = R(0.0);
+    activity = R(0.0);
+    excitation = R(0.0);
+    excited = R(0.0);
+    validity = R(0.0);
+    information = R(0.0);
+    last_input = R(0.0);
+    age = R(0.0);
+    started = R(0.0);
+    last_U = R(0.0);
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->pi1 = pi1;
+    state->eta = eta;
+    state->rho = rho;
+    state->grip = grip;
+    state->input_scale = input_scale;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+}
+
+/* What the step and the batch loop do with one sample. */
+SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state,
+                                     const saturating_bicycle_population_sample *sample, saturating_bicycle_population_output *output)
+{
+    const saturating_bicycle_population_real L = config->L;
+    const saturating_bicycle_population_real K_prior = config->K_prior;
+    const saturating_bicycle_population_real prior_information = config->prior_information;
+    const saturating_bicycle_population_real K_low = config->K_low;
+    const saturating_bicycle_population_real K_high = config->K_high;
+    const saturating_bicycle_population_real eta_low = config->eta_low;
+    const saturating_bicycle_population_real eta_high = config->eta_high;
+    const saturating_bicycle_population_real rho_low = config->rho_low;
+    const saturating_bicycle_population_real rho_high = config->rho_high;
+    const saturating_bicycle_population_real grip_low = config->grip_low;
+    const saturating_bicycle_population_real grip_high = config->grip_high;
+    const saturating_bicycle_population_real input_scale_low = config->input_scale_low;
+    const saturating_bicycle_population_real input_scale_high = config->input_scale_high;
+    const saturating_bicycle_population_real v_star_sd = config->v_star_sd;
+    const saturating_bicycle_population_real r_star_sd = config->r_star_sd;
+    const saturating_bicycle_population_real noise_variance = config->noise_variance;
+    const saturating_bicycle_population_real drift = config->drift;
+    const saturating_bicycle_population_real idle_drift = config->idle_drift;
+    const saturating_bicycle_population_real jump_drift = config->jump_drift;
+    const saturating_bicycle_population_real bias_drift = config->bias_drift;
+    const saturating_bicycle_population_real timing_error = config->timing_error;
+    const saturating_bicycle_population_real companion_rate = config->companion_rate;
+    const saturating_bicycle_population_real structure_share = config->structure_share;
+    const saturating_bicycle_population_real structure_time = config->structure_time;
+    const saturating_bicycle_population_real activity_rate = config->activity_rate;
+    const saturating_bicycle_population_real disturbance_floor = config->disturbance_floor;
+    const saturating_bicycle_population_real disturbance_share = config->disturbance_share;
+    const saturating_bicycle_population_real disturbance_rate = config->disturbance_rate;
+    const saturating_bicycle_population_real disturbance_adapt = config->disturbance_adapt;
+    const saturating_bicycle_population_real disturbance_scale_low = config->disturbance_scale_low;
+    const saturating_bicycle_population_real disturbance_scale_high = config->disturbance_scale_high;
+    const saturating_bicycle_population_real noise_adapt = config->noise_adapt;
+    const saturating_bicycle_population_real noise_scale_low = config->noise_scale_low;
+    const saturating_bicycle_population_real noise_scale_high = config->noise_scale_high;
+    const saturating_bicycle_population_real excitation_ratio = config->excitation_ratio;
+    const saturating_bicycle_population_real excitation_rate = config->excitation_rate;
+    const saturating_bicycle_population_real surprise_rate = config->surprise_rate;
+    const saturating_bicycle_population_real jump_ratio = config->jump_ratio;
+    const saturating_bicycle_population_real surprise_limit = config->surprise_limit;
+    const saturating_bicycle_population_real observed_least = config->observed_least;
+    const saturating_bicycle_population_real outlier_ratio = config->outlier_ratio;
+    const saturating_bicycle_population_real gap = config->gap;
+    const saturating_bicycle_population_real input_limit = config->input_limit;
+    const saturating_bicycle_population_real output_limit = config->output_limit;
+    const saturating_bicycle_population_real signal_limit = config->signal_limit;
+    const saturating_bicycle_population_real validity_limit = config->validity_limit;
+    const saturating_bicycle_population_real validity_rate = config->validity_rate;
+    const saturating_bicycle_population_real dt = sample->dt;
+    const saturating_bicycle_population_real input = sample->input;
+    const saturating_bicycle_population_real U = sample->U;
+    const saturating_bicycle_population_real measured = sample->measured;
+    saturating_bicycle_population_real *const P = state->P;
+    saturating_bicycle_population_real v_star = state->v_star;
+    saturating_bicycle_population_real r_star = state->r_star;
+    saturating_bicycle_population_real v_star_plain = state->v_star_plain;
+    saturating_bicycle_population_real r_star_plain = state->r_star_plain;
+    saturating_bicycle_population_real disturbance = state->disturbance;
+    saturating_bicycle_population_real K = state->K;
+    saturating_bicycle_population_real pi1 = state->pi1;
+    saturating_bicycle_population_real eta = state->eta;
+    saturating_bicycle_population_real rho = state->rho;
+    saturating_bicycle_population_real grip = state->grip;
+    saturating_bicycle_population_real input_scale = state->input_scale;
+    saturating_bicycle_population_real input_offset = state->input_offset;
+    saturating_bicycle_population_real output_bias = state->output_bias;
+    saturating_bicycle_population_real noise_scale = state->noise_scale;
+    saturating_bicycle_population_real disturbance_scale = state->disturbance_scale;
+    saturating_bicycle_population_real activity = state->activity;
+    saturating_bicycle_population_real settling = state->settling;
+    saturating_bicycle_population_real restlessness = state->restlessness;
+    saturating_bicycle_population_real jump = state->jump;
+    saturating_bicycle_population_real surprise = state->surprise;
+    saturating_bicycle_population_real excitation = state->excitation;
+    saturating_bicycle_population_real excited = state->excited;
+    saturating_bicycle_population_real validity = state->validity;
+    saturating_bicycle_population_real information = state->information;
+    saturating_bicycle_population_real last_input = state->last_input;
+    saturating_bicycle_population_real last_U = state->last_U;
+    saturating_bicycle_population_real age = state->age;
+    saturating_bicycle_population_real started = state->started;
+    saturating_bicycle_population_real U_now = R(0.0);
+    saturating_bicycle_population_real anew = R(0.0);
+    saturating_bicycle_population_real diffusion = R(0.0);
+    saturating_bicycle_population_real estimate = R(0.0);
+    saturating_bicycle_population_real information_gained = R(0.0);
+    saturating_bicycle_population_real innovation = R(0.0);
+    saturating_bicycle_population_real innovation_variance = R(0.0);
+    saturating_bicycle_population_real inv_spread = R(0.0);
+    saturating_bicycle_population_real move = R(0.0);
+    saturating_bicycle_population_real predicted = R(0.0);
+    saturating_bicycle_population_real status = R(0.0);
+    saturating_bicycle_population_real u_now = R(0.0);
+    saturating_bicycle_population_real usable = R(0.0);
+    saturating_bicycle_population_real variance = R(0.0);
+
+    status = R(0.0);
+    predicted = output_bias;
+    innovation = R(0.0);
+    innovation_variance = noise_scale*noise_variance;
+    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
+        usable = R(1.0);
+        anew = R(0.0); /* 1 where the dynamic state starts anew */
+        age = age + dt;
+        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
+            u_now = input;
+        } else {
+            u_now = last_input;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
+            U_now = U;
+        } else {
+            U_now = last_U;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (started < R(0.5)) { /* no sample before it could be used */
+            anew = R(1.0);
+            last_input = u_now;
+            last_U = U_now;
+        }
+        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
+            status = R(5.0);
+            anew = R(1.0);
+        }
+        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = R(1.0);
+            started = R(0.0);
+            usable = R(0.0);
+            status = R(6.0);
+        }
+        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
+            excitation = R(0.0);
+            excited = R(0.0);
+            jump = R(0.0);
+            surprise = R(1.0);
+        }
+        if (anew > R(0.5)) { /* nothing is known of them */
+            P[0] = R(0.0);
+            P[1] = R(0.0);
+            P[2] = R(0.0);
+            P[3] = R(0.0);
+            P[4] = R(0.0);
+            P[5] = R(0.0);
+            P[6] = R(0.0);
+            P[7] = R(0.0);
+            P[8] = R(0.0);
+            P[9] = R(0.0);
+            P[10] = R(0.0);
+            P[11] = R(0.0);
+            P[12] = R(0.0);
+            P[13] = R(0.0);
+            P[14] = R(0.0);
+            P[15] = R(0.0);
+            P[16] = R(0.0);
+            P[17] = R(0.0);
+            P[18] = R(0.0);
+            P[19] = R(0.0);
+            P[20] = R(0.0);
+            P[21] = R(0.0);
+            P[22] = R(0.0);
+            P[23] = R(0.0);
+            P[24] = R(0.0);
+            P[25] = R(0.0);
+            P[26] = R(0.0);
+            P[27] = R(0.0);
+            P[28] = R(0.0);
+            P[29] = R(0.0);
+            P[0] = (v_star_sd*v_star_sd);
+            P[11] = (r_star_sd*r_star_sd);
+            P[21] = disturbance_scale*(disturbance_floor*disturbance_floor);
+            v_star = R(0.0);
+            r_star = R(0.0);
+            v_star_plain = R(0.0);
+            r_star_plain = R(0.0);
+            disturbance = R(0.0);
+        }
+        const saturating_bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const saturating_bicycle_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
+        const saturating_bicycle_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
+        const saturating_bicycle_population_real inv_U = (R(1.0)/at_U);
+        const saturating_bicycle_population_real inv_L = (R(1.0)/L);
+        const saturating_bicycle_population_real inv_dt = (R(1.0)/dt);
+        const saturating_bicycle_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
+        const saturating_bicycle_population_real inv_output_scale = L*inv_U;
+        const saturating_bicycle_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
+        const saturating_bicycle_population_real h = at_U*inv_L*span; /* dimensionless time step */
+        const saturating_bicycle_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
+        v_star = ratio_v_star*v_star;
+        v_star_plain = ratio_v_star*v_star_plain;
+        const saturating_bicycle_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
+        r_star = r_star*ratio_r_star;
+        r_star_plain = r_star_plain*ratio_r_star;
+        const saturating_bicycle_population_real steer = R(0.5)*input_scale*(last_input + u_now); /* mean of the sample's two ends */
+        const saturating_bicycle_population_real steer_change = input_scale*(u_now - last_input);
+        const saturating_bicycle_population_real u_plain = steer; /* measured input alone [-] */
+        const saturating_bicycle_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
+        const saturating_bicycle_population_real inv0 = (R(1.0)/grip);
+        const saturating_bicycle_population_real inv1 = (R(1.0)/rho);
+        const saturating_bicycle_population_real inv2 = (R(1.0)/(pi1 - R(1.0)));
+        const saturating_bicycle_population_real s0 = v_star + pi1*r_star;
+        const saturating_bicycle_population_real s1 = K*inv0*inv2*inv_L;
+        const saturating_bicycle_population_real s2 = v_star_plain + pi1*r_star_plain;
+        const saturating_bicycle_population_real s3 = eta*s1;
+        const saturating_bicycle_population_real load0 = s1*(s0 - u); /* force over its limit [-] */
+        const saturating_bicycle_population_real load1 = s1*(s2 - u_plain); /* force over its limit [-] */
+        const saturating_bicycle_population_real load2 = s3*(s0 - r_star); /* force over its limit [-] */
+        const saturating_bicycle_population_real load3 = s3*(s2 - r_star_plain); /* force over its limit [-] */
+        const saturating_bicycle_population_real size0 = (((-load0)) > (load0) ? (-load0) : load0);
+        const saturating_bicycle_population_real over0 = R(1.0) + size0*(R(1.0) + R(0.7)*size0);
+        const saturating_bicycle_population_real part0 = (R(1.0)/(R(1.0) + over0*size0)); /* force over load */
+        const saturating_bicycle_population_real size1 = (((-load1)) > (load1) ? (-load1) : load1);
+        const saturating_bicycle_population_real over1 = R(1.0) + size1*(R(1.0) + R(0.7)*size1);
+        const saturating_bicycle_population_real part1 = (R(1.0)/(R(1.0) + over1*size1));
+        const saturating_bicycle_population_real size2 = (((-load2)) > (load2) ? (-load2) : load2);
+        const saturating_bicycle_population_real over2 = R(1.0) + size2*(R(1.0) + R(0.7)*size2);
+        const saturating_bicycle_population_real part2 = (R(1.0)/(R(1.0) + over2*size2));
+        const saturating_bicycle_population_real size3 = (((-load3)) > (load3) ? (-load3) : load3);
+        const saturating_bicycle_population_real over3 = R(1.0) + size3*(R(1.0) + R(0.7)*size3);
+        const saturating_bicycle_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
+        const saturating_bicycle_population_real c0 = load0*over0*part0;
+        const saturating_bicycle_population_real c1 = load2*over2*part2;
+        const saturating_bicycle_population_real c2 = L*(inv_U*inv_U);
+        const saturating_bicycle_population_real c3 = c2*grip;
+        const saturating_bicycle_population_real c4 = c3*inv1;
+        const saturating_bicycle_population_real c5 = load1*over1*part1;
+        const saturating_bicycle_population_real c6 = load3*over3*part3;
+        const saturating_bicycle_population_real c7 = c2*(load1*over1*part1*pi1 - c5 - c6*pi1);
+        const saturating_bicycle_population_real c8 = inv1*(c5 - c6);
+        const saturating_bicycle_population_real c9 = c3*c8;
+        const saturating_bicycle_population_real c10 = (part0*part0);
+        const saturating_bicycle_population_real c11 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
+        const saturating_bicycle_population_real c12 = K*inv0*inv_L;
+        const saturating_bicycle_population_real c13 = c12*inv2;
+        const saturating_bicycle_population_real c14 = c10*c11*c13;
+        const saturating_bicycle_population_real c15 = c14*pi1;
+        const saturating_bicycle_population_real c16 = (-c15);
+        const saturating_bicycle_population_real c17 = eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const saturating_bicycle_population_real c18 = c13*c17;
+        const saturating_bicycle_population_real c19 = R(0.16666666666666666)*h;
+        const saturating_bicycle_population_real c20 = c12*c17;
+        const saturating_bicycle_population_real c21 = c19*c4;
+        const saturating_bicycle_population_real c22 = inv2*inv_L;
+        const saturating_bicycle_population_real c23 = c22*inv0;
+        const saturating_bicycle_population_real c24 = v_star_plain + pi1*r_star_plain;
+        const saturating_bicycle_population_real c25 = c24 - u_plain;
+        const saturating_bicycle_population_real c26 = (part1*part1);
+        const saturating_bicycle_population_real c27 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
+        const saturating_bicycle_population_real c28 = c26*c27;
+        const saturating_bicycle_population_real c29 = c25*c28;
+        const saturating_bicycle_population_real c30 = c23*c29;
+        const saturating_bicycle_population_real c31 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
+        const saturating_bicycle_population_real c32 = eta*(c24 - r_star_plain);
+        const saturating_bicycle_population_real c33 = c31*c32;
+        const saturating_bicycle_population_real c34 = c23*c33;
+        const saturating_bicycle_population_real c35 = c12*(inv2*inv2);
+        const saturating_bicycle_population_real c36 = K*inv0*inv2*inv_L*r_star_plain - c25*c35;
+        const saturating_bicycle_population_real c37 = c28*c36;
+        const saturating_bicycle_population_real c38 = c31*(K*eta*inv0*inv2*inv_L*r_star_plain - c32*c35);
+        const saturating_bicycle_population_real c39 = K*c22;
+        const saturating_bicycle_population_real c40 = c2*c39;
+        const saturating_bicycle_population_real c41 = c40*inv1;
+        const saturating_bicycle_population_real c42 = c39*(inv0*inv0);
+        const saturating_bicycle_population_real c43 = c29*c42;
+        const saturating_bicycle_population_real c44 = c33*c42;
+        const saturating_bicycle_population_real f_v_star = (-r_star) - c3*(load0*over0*part0*pi1 - c0 - c1*pi1); /* rate [-] */
+        const saturating_bicycle_population_real f_r_star = c4*(c0 - c1); /* rate [-] */
+        const saturating_bicycle_population_real f_v_star_plain = (-r_star_plain) - c7*grip;
+        const saturating_bicycle_population_real f_r_star_plain = c9;
+        const saturating_bicycle_population_real J_00 = (-c19*c3*((-c14) - c16 - c18*pi1));
+        const saturating_bicycle_population_real J_01 = c19*((-R(1.0)) - c3*(K*c10*c11*inv0*inv2*inv_L*(pi1*pi1) - c15 - c20*pi1));
+        const saturating_bicycle_population_real J_10 = c21*(c14 - c18);
+        const saturating_bicycle_population_real J_11 = c21*((-c16) - c20);
+        const saturating_bicycle_population_real f_v_star_K = (-K*c3*(c25*c26*c27*inv0*inv2*inv_L*pi1 - c30 - c34*pi1));
+        const saturating_bicycle_population_real f_r_star_K = K*c4*(c30 - c34);
+        const saturating_bicycle_population_real f_v_star_pi1 = (-c3*(c5 + c26*c27*c36*pi1 - c37 - c6 - c38*pi1));
+        const saturating_bicycle_population_real f_r_star_pi1 = c4*(c37 - c38);
+        const saturating_bicycle_population_real f_v_star_eta = c33*c40*pi1;
+        const saturating_bicycle_population_real f_r_star_eta = (-c33*c41);
+        const saturating_bicycle_population_real f_v_star_rho = R(0.0);
+        const saturating_bicycle_population_real f_r_star_rho = (-c9);
+        const saturating_bicycle_population_real f_v_star_grip = grip*((-c7) - c3*(c43 + c44*pi1 - c43*pi1));
+        const saturating_bicycle_population_real f_r_star_grip = grip*(c2*c8 + c4*(c44 - c43));
+        const saturating_bicycle_population_real f_v_star_u = (-c3*(K*c26*c27*inv0*inv2*inv_L - c13*c28*pi1));
+        const saturating_bicycle_population_real f_r_star_u = (-c28*c41);
+        const saturating_bicycle_population_real p0 = J_00*J_11 - J_01*J_10;
+        const saturating_bicycle_population_real p1 = (-J_00) - J_11;
+        const saturating_bicycle_population_real n0 = R(1.0) - R(1.5)*p0;
+        const saturating_bicycle_population_real n1 = (-R(2.0)) - R(1.5)*p1;
+        const saturating_bicycle_population_real i_det = (R(1.0)/((n0*n0) + p0*(n1*n1) - n0*n1*p1)); /* det N > 0 for every real J */
+        const saturating_bicycle_population_real i0 = i_det*(n0 - n1*p1);
+        const saturating_bicycle_population_real i1 = (-i_det*n1);
+        const saturating_bicycle_population_real E0 = i0 - i1*p0; /* half a step */
+        const saturating_bicycle_population_real E1 = i0 + i1 - i1*p1;
+        const saturating_bicycle_population_real H0 = R(0.5)*h*i0 + R(0.25)*h*i1*p0; /* change per rate over half a step */
+        const saturating_bicycle_population_real H1 = R(0.5)*h*i1 + R(0.25)*h*i1*p1 - R(0.25)*h*i0;
+        const saturating_bicycle_population_real m0 = (E0*E0) - p0*(E1*E1);
+        const saturating_bicycle_population_real m1 = R(2.0)*E0*E1 - p1*(E1*E1);
+        const saturating_bicycle_population_real g0 = H0*(R(1.0) + E0) - E1*H1*p0;
+        const saturating_bicycle_population_real g1 = E1*H0 + H1*(R(1.0) + E0) - E1*H1*p1;
+        const saturating_bicycle_population_real wi0 = (-p0*(R(0.4375) + R(0.1875)*p1));
+        const saturating_bicycle_population_real wi1 = R(0.1875)*p0 - R(0.5) - p1*(R(0.4375) + R(0.1875)*p1);
+        const saturating_bicycle_population_real wh0 = i0*wi0 - i1*p0*wi1;
+        const saturating_bicycle_population_real wh1 = i0*wi1 + i1*wi0 - i1*p1*wi1;
+        const saturating_bicycle_population_real w0 = i0*wh0 - i1*p0*wh1; /* W/h in powers of J */
+        const saturating_bicycle_population_real w1 = i0*wh1 + i1*wh0 - i1*p1*wh1;
+        const saturating_bicycle_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
+        const saturating_bicycle_population_real M_01 = J_01*m1;
+        const saturating_bicycle_population_real M_10 = J_10*m1;
+        const saturating_bicycle_population_real M_11 = m0 + J_11*m1;
+        const saturating_bicycle_population_real G_00 = g0 + J_00*g1; /* change per rate */
+        const saturating_bicycle_population_real G_01 = J_01*g1;
+        const saturating_bicycle_population_real G_10 = J_10*g1;
+        const saturating_bicycle_population_real G_11 = g0 + J_11*g1;
+        const saturating_bicycle_population_real ramp = h*steer_change;
+        const saturating_bicycle_population_real ramp_0 = ramp*w0;
+        const saturating_bicycle_population_real ramp_1 = ramp*w1;
+        const saturating_bicycle_population_real slope1_v_star = J_00*f_v_star_u + J_01*f_r_star_u;
+        const saturating_bicycle_population_real slope1_r_star = J_10*f_v_star_u + J_11*f_r_star_u;
+        const saturating_bicycle_population_real rise_v_star = f_v_star_u*ramp_0 + ramp_1*slope1_v_star; /* the input rises or falls in a straight line [-] */
+        const saturating_bicycle_population_real rise_r_star = f_r_star_u*ramp_0 + ramp_1*slope1_r_star;
+        const saturating_bicycle_population_real d_v_star = rise_v_star + G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
+        const saturating_bicycle_population_real d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+        const saturating_bicycle_population_real d_v_star_plain = rise_v_star + G_00*f_v_star_plain + G_01*f_r_star_plain;
+        const saturating_bicycle_population_real d_r_star_plain = rise_r_star + G_10*f_v_star_plain + G_11*f_r_star_plain;
+        const saturating_bicycle_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
+        const saturating_bicycle_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
+        const saturating_bicycle_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
+        const saturating_bicycle_population_real F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1;
+        const saturating_bicycle_population_real F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta;
+        const saturating_bicycle_population_real F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta;
+        const saturating_bicycle_population_real F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho;
+        const saturating_bicycle_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
+        const saturating_bicycle_population_real F_v_star_grip = G_00*f_v_star_grip + G_01*f_r_star_grip;
+        const saturating_bicycle_population_real F_r_star_grip = G_10*f_v_star_grip + G_11*f_r_star_grip;
+        const saturating_bicycle_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
+        const saturating_bicycle_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
+        const saturating_bicycle_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
+        const saturating_bicycle_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        move = R(0.0);
+        diffusion = drift;
+        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            const saturating_bicycle_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+            const saturating_bicycle_population_real keep = R(1.0) - lost;
+            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
+            P[3] = P[3]*keep;
+            P[13] = P[13]*keep;
+            P[22] = P[22]*keep;
+            P[30] = P[30]*keep;
+            P[31] = P[31]*keep;
+            P[32] = P[32]*keep;
+            P[33] = P[33]*keep;
+            P[34] = P[34]*keep;
+            P[35] = P[35]*keep;
+            P[36] = P[36]*keep;
+            P[37] = P[37]*keep;
+            P[30] = P[30]*keep;
+            const saturating_bicycle_population_real p = K - K_prior;
+            const saturating_bicycle_population_real q = K + K_prior;
+            const saturating_bicycle_population_real pp = (p*p);
+            const saturating_bicycle_population_real qq = (q*q);
+            const saturating_bicycle_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
+            move = (-away*lost);
+        }
+        const saturating_bicycle_population_real F_v_star_v_star = M_00*ratio_v_star;
+        const saturating_bicycle_population_real F_v_star_r_star = M_01*ratio_r_star;
+        const saturating_bicycle_population_real F_r_star_v_star = M_10*ratio_v_star;
+        const saturating_bicycle_population_real F_r_star_r_star = M_11*ratio_r_star;
+        const saturating_bicycle_population_real PW_0 = P[2] + P[9] + P[8]*steer;
+        const saturating_bicycle_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4]) + (F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
+        const saturating_bicycle_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4]) + (F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
+        const saturating_bicycle_population_real PW_1 = P[12] + P[19] + P[18]*steer;
+        const saturating_bicycle_population_real FP_0_1 = (F_v_star_K*P[13] + F_v_star_eta*P[15] + F_v_star_grip*P[17] + F_v_star_pi1*P[14]) + (F_v_star_r_star*P[11] + F_v_star_rho*P[16] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
+        const saturating_bicycle_population_real FP_1_1 = (F_r_star_K*P[13] + F_r_star_eta*P[15] + F_r_star_grip*P[17] + F_r_star_pi1*P[14]) + (F_r_star_r_star*P[11] + F_r_star_rho*P[16] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
+        const saturating_bicycle_population_real PW_2 = P[21] + P[28] + P[27]*steer;
+        const saturating_bicycle_population_real FP_0_2 = (F_v_star_K*P[22] + F_v_star_eta*P[24] + F_v_star_grip*P[26] + F_v_star_pi1*P[23]) + (F_v_star_r_star*P[12] + F_v_star_rho*P[25] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
+        const saturating_bicycle_population_real FP_1_2 = (F_r_star_K*P[22] + F_r_star_eta*P[24] + F_r_star_grip*P[26] + F_r_star_pi1*P[23]) + (F_r_star_r_star*P[12] + F_r_star_rho*P[25] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
+        const saturating_bicycle_population_real PW_3 = P[22] + P[36] + P[35]*steer;
+        const saturating_bicycle_population_real FP_0_3 = (F_v_star_K*P[30] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31]) + (F_v_star_r_star*P[13] + F_v_star_rho*P[33] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
+        const saturating_bicycle_population_real FP_1_3 = (F_r_star_K*P[30] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31]) + (F_r_star_r_star*P[13] + F_r_star_rho*P[33] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
+        const saturating_bicycle_population_real PW_4 = P[23] + P[43] + P[42]*steer;
+        const saturating_bicycle_population_real FP_0_4 = (F_v_star_K*P[31] + F_v_star_eta*P[39] + F_v_star_grip*P[41] + F_v_star_pi1*P[38]) + (F_v_star_r_star*P[14] + F_v_star_rho*P[40] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
+        const saturating_bicycle_population_real FP_1_4 = (F_r_star_K*P[31] + F_r_star_eta*P[39] + F_r_star_grip*P[41] + F_r_star_pi1*P[38]) + (F_r_star_r_star*P[14] + F_r_star_rho*P[40] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
+        const saturating_bicycle_population_real PW_5 = P[24] + P[49] + P[48]*steer;
+        const saturating_bicycle_population_real FP_0_5 = (F_v_star_K*P[32] + F_v_star_eta*P[45] + F_v_star_grip*P[47] + F_v_star_pi1*P[39]) + (F_v_star_r_star*P[15] + F_v_star_rho*P[46] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
+        const saturating_bicycle_population_real FP_1_5 = (F_r_star_K*P[32] + F_r_star_eta*P[45] + F_r_star_grip*P[47] + F_r_star_pi1*P[39]) + (F_r_star_r_star*P[15] + F_r_star_rho*P[46] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
+        const saturating_bicycle_population_real PW_6 = P[25] + P[54] + P[53]*steer;
+        const saturating_bicycle_population_real FP_0_6 = (F_v_star_K*P[33] + F_v_star_eta*P[46] + F_v_star_grip*P[52] + F_v_star_pi1*P[40]) + (F_v_star_r_star*P[16] + F_v_star_rho*P[51] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
+        const saturating_bicycle_population_real FP_1_6 = (F_r_star_K*P[33] + F_r_star_eta*P[46] + F_r_star_grip*P[52] + F_r_star_pi1*P[40]) + (F_r_star_r_star*P[16] + F_r_star_rho*P[51] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
+        const saturating_bicycle_population_real PW_7 = P[26] + P[58] + P[57]*steer;
+        const saturating_bicycle_population_real FP_0_7 = (F_v_star_K*P[34] + F_v_star_eta*P[47] + F_v_star_grip*P[56] + F_v_star_pi1*P[41]) + (F_v_star_r_star*P[17] + F_v_star_rho*P[52] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
+        const saturating_bicycle_population_real FP_1_7 = (F_r_star_K*P[34] + F_r_star_eta*P[47] + F_r_star_grip*P[56] + F_r_star_pi1*P[41]) + (F_r_star_r_star*P[17] + F_r_star_rho*P[52] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
+        const saturating_bicycle_population_real PW_8 = P[27] + P[61] + P[60]*steer;
+        const saturating_bicycle_population_real FP_0_8 = (F_v_star_K*P[35] + F_v_star_eta*P[48] + F_v_star_grip*P[57] + F_v_star_pi1*P[42]) + (F_v_star_r_star*P[18] + F_v_star_rho*P[53] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
+        const saturating_bicycle_population_real FP_1_8 = (F_r_star_K*P[35] + F_r_star_eta*P[48] + F_r_star_grip*P[57] + F_r_star_pi1*P[42]) + (F_r_star_r_star*P[18] + F_r_star_rho*P[53] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
+        const saturating_bicycle_population_real PW_9 = P[28] + P[63] + P[61]*steer;
+        const saturating_bicycle_population_real FP_0_9 = (F_v_star_K*P[36] + F_v_star_eta*P[49] + F_v_star_grip*P[58] + F_v_star_pi1*P[43]) + (F_v_star_r_star*P[19] + F_v_star_rho*P[54] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
+        const saturating_bicycle_population_real FP_1_9 = (F_r_star_K*P[36] + F_r_star_eta*P[49] + F_r_star_grip*P[58] + F_r_star_pi1*P[43]) + (F_r_star_r_star*P[19] + F_r_star_rho*P[54] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
+        const saturating_bicycle_population_real PW_10 = P[29] + P[64] + P[62]*steer;
+        const saturating_bicycle_population_real FP_0_10 = (F_v_star_K*P[37] + F_v_star_eta*P[50] + F_v_star_grip*P[59] + F_v_star_pi1*P[44]) + (F_v_star_r_star*P[20] + F_v_star_rho*P[55] + F_v_star_u*PW_10 + F_v_star_v_star*P[10]);
+        const saturating_bicycle_population_real FP_1_10 = (F_r_star_K*P[37] + F_r_star_eta*P[50] + F_r_star_grip*P[59] + F_r_star_pi1*P[44]) + (F_r_star_r_star*P[20] + F_r_star_rho*P[55] + F_r_star_u*PW_10 + F_r_star_v_star*P[10]);
+        const saturating_bicycle_population_real WPF_0 = FP_0_2 + FP_0_9 + FP_0_8*steer;
+        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + F_v_star_u*WPF_0);
+        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + F_r_star_u*WPF_0);
+        P[2] = FP_0_2*keep_w;
+        P[3] = FP_0_3;
+        P[4] = FP_0_4;
+        P[5] = FP_0_5;
+        P[6] = FP_0_6;
+        P[7] = FP_0_7;
+        P[8] = FP_0_8;
+        P[9] = FP_0_9;
+        P[10] = FP_0_10;
+        const saturating_bicycle_population_real WPF_1 = FP_1_2 + FP_1_9 + FP_1_8*steer;
+        P[11] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + F_r_star_u*WPF_1);
+        P[12] = FP_1_2*keep_w;
+        P[13] = FP_1_3;
+        P[14] = FP_1_4;
+        P[15] = FP_1_5;
+        P[16] = FP_1_6;
+        P[17] = FP_1_7;
+        P[18] = FP_1_8;
+        P[19] = FP_1_9;
+        P[20] = FP_1_10;
+        P[21] = P[21]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[22] = P[22]*keep_w;
+        P[23] = P[23]*keep_w;
+        P[24] = P[24]*keep_w;
+        P[25] = P[25]*keep_w;
+        P[26] = P[26]*keep_w;
+        P[27] = P[27]*keep_w;
+        P[28] = P[28]*keep_w;
+        P[29] = P[29]*keep_w;
+        P[30] = P[30] + dt*(diffusion + jump*jump_drift);
+        P[65] = P[65] + bias_drift*dt;
+        disturbance = disturbance*keep_w;
+        v_star = d_v_star + v_star;
+        r_star = d_r_star + r_star;
+        const saturating_bicycle_population_real follow = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);
+        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain);
+        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain);
+        const saturating_bicycle_population_real response = output_scale*r_star; /* output of the model */
+        predicted = output_bias + response;
+        const saturating_bicycle_population_real output_rate = d_r_star*inv_dt*output_scale;
+        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
+        const saturating_bicycle_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
+        const saturating_bicycle_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
+        const saturating_bicycle_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        const saturating_bicycle_population_real validity_square = (validity_now*validity_now);
+        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        if (usable > R(0.5)) { /* measurement */
+            const saturating_bicycle_population_real c_0 = P[10] + P[1]*output_scale;
+            const saturating_bicycle_population_real c_1 = P[20] + P[11]*output_scale;
+            const saturating_bicycle_population_real c_2 = P[29] + P[12]*output_scale;
+            const saturating_bicycle_population_real c_3 = P[37] + P[13]*output_scale;
+            const saturating_bicycle_population_real c_4 = P[44] + P[14]*output_scale;
+            const saturating_bicycle_population_real c_5 = P[50] + P[15]*output_scale;
+            const saturating_bicycle_population_real c_6 = P[55] + P[16]*output_scale;
+            const saturating_bicycle_population_real c_7 = P[59] + P[17]*output_scale;
+            const saturating_bicycle_population_real c_8 = P[62] + P[18]*output_scale;
+            const saturating_bicycle_population_real c_9 = P[64] + P[19]*output_scale;
+            const saturating_bicycle_population_real c_10 = P[65] + P[20]*output_scale;
+            innovation = measured - predicted;
+            innovation_variance = c_10 + noise + c_1*output_scale;
+            inv_spread = (R(1.0)/innovation_variance);
+            const saturating_bicycle_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
+            if (nis > outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*outlier_ratio/nis;
+            }
+            const saturating_bicycle_population_real inv_P = (R(1.0)/P[30]);
+            const saturating_bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
+            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
+            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
+            const saturating_bicycle_population_real learn = excited*inv_spread;
+            const saturating_bicycle_population_real above = surprise - R(1.0);
+            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
+            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
+            const saturating_bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            const saturating_bicycle_population_real gain_0 = c_0*inv_spread;
+            const saturating_bicycle_population_real gain_1 = c_1*inv_spread;
+            const saturating_bicycle_population_real gain_2 = c_2*inv_spread;
+            const saturating_bicycle_population_real gain_3 = c_3*learn;
+            const saturating_bicycle_population_real gain_5 = c_5*learn_slow;
+            const saturating_bicycle_population_real gain_6 = c_6*learn_slow;
+            const saturating_bicycle_population_real gain_7 = c_7*learn_slow;
+            const saturating_bicycle_population_real gain_8 = c_8*learn_slow;
+            const saturating_bicycle_population_real gain_9 = c_9*inv_spread;
+            const saturating_bicycle_population_real gain_10 = c_10*inv_spread;
+            const saturating_bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
+            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            P[0] = P[0] - c_0*gain_0;
+            P[1] = P[1] - c_1*gain_0;
+            P[2] = P[2] - c_2*gain_0;
+            P[3] = P[3] - c_3*gain_0;
+            P[4] = P[4] - c_4*gain_0;
+            P[5] = P[5] - c_5*gain_0;
+            P[6] = P[6] - c_6*gain_0;
+            P[7] = P[7] - c_7*gain_0;
+            P[8] = P[8] - c_8*gain_0;
+            P[9] = P[9] - c_9*gain_0;
+            P[10] = P[10] - c_10*gain_0;
+            P[11] = P[11] - c_1*gain_1;
+            P[12] = P[12] - c_2*gain_1;
+            P[13] = P[13] - c_3*gain_1;
+            P[14] = P[14] - c_4*gain_1;
+            P[15] = P[15] - c_5*gain_1;
+            P[16] = P[16] - c_6*gain_1;
+            P[17] = P[17] - c_7*gain_1;
+            P[18] = P[18] - c_8*gain_1;
+            P[19] = P[19] - c_9*gain_1;
+            P[20] = P[20] - c_10*gain_1;
+            P[21] = P[21] - c_2*gain_2;
+            P[22] = P[22] - c_3*gain_2;
+            P[23] = P[23] - c_4*gain_2;
+            P[24] = P[24] - c_5*gain_2;
+            P[25] = P[25] - c_6*gain_2;
+            P[26] = P[26] - c_7*gain_2;
+            P[27] = P[27] - c_8*gain_2;
+            P[28] = P[28] - c_9*gain_2;
+            P[29] = P[29] - c_10*gain_2;
+            P[30] = P[30] - c_3*gain_3;
+            P[31] = P[31] - c_4*gain_3;
+            P[32] = P[32] - c_5*gain_3;
+            P[33] = P[33] - c_6*gain_3;
+            P[34] = P[34] - c_7*gain_3;
+            P[35] = P[35] - c_8*gain_3;
+            P[36] = P[36] - c_3*gain_9;
+            P[37] = P[37] - c_3*gain_10;
+            P[39] = P[39] - c_4*gain_5;
+            P[40] = P[40] - c_4*gain_6;
+            P[41] = P[41] - c_4*gain_7;
+            P[42] = P[42] - c_4*gain_8;
+            P[43] = P[43] - c_4*gain_9;
+            P[44] = P[44] - c_4*gain_10;
+            P[45] = P[45] - c_5*gain_5;
+            P[46] = P[46] - c_6*gain_5;
+            P[47] = P[47] - c_7*gain_5;
+            P[48] = P[48] - c_8*gain_5;
+            P[49] = P[49] - c_5*gain_9;
+            P[50] = P[50] - c_5*gain_10;
+            P[51] = P[51] - c_6*gain_6;
+            P[52] = P[52] - c_7*gain_6;
+            P[53] = P[53] - c_8*gain_6;
+            P[54] = P[54] - c_6*gain_9;
+            P[55] = P[55] - c_6*gain_10;
+            P[56] = P[56] - c_7*gain_7;
+            P[57] = P[57] - c_8*gain_7;
+            P[58] = P[58] - c_7*gain_9;
+            P[59] = P[59] - c_7*gain_10;
+            P[60] = P[60] - c_8*gain_8;
+            P[61] = P[61] - c_8*gain_9;
+            P[62] = P[62] - c_8*gain_10;
+            P[63] = P[63] - c_9*gain_9;
+            P[64] = P[64] - c_10*gain_9;
+            P[65] = P[65] - c_10*gain_10;
+            v_star = v_star + gain_0*innovation;
+            r_star = r_star + gain_1*innovation;
+            disturbance = disturbance + gain_2*innovation;
+            move = move + gain_3*innovation;
+            const saturating_bicycle_population_real move_eta = gain_5*innovation;
+            const saturating_bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+            const saturating_bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            const saturating_bicycle_population_real move_rho = gain_6*innovation;
+            const saturating_bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+            const saturating_bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            const saturating_bicycle_population_real move_grip = gain_7*innovation;
+            const saturating_bicycle_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
+            const saturating_bicycle_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
+            grip = grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+            const saturating_bicycle_population_real move_input_scale = gain_8*innovation;
+            const saturating_bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+            const saturating_bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+            input_scale = input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+            input_offset = input_offset + gain_9*innovation;
+            output_bias = output_bias + gain_10*innovation;
+            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
+            const saturating_bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
+            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
+            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
+            const saturating_bicycle_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
+            const saturating_bicycle_population_real seen = ((R(9.0)*expected) < (P[21] + (disturbance*disturbance)) ? R(9.0)*expected : P[21] + (disturbance*disturbance)); /* and seen */
+            const saturating_bicycle_population_real unseen = ((expected*observed_least) > (expected - P[21]) ? expected*observed_least : expected - P[21]);
+            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
+            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
+            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
+            if ((excited < R(0.5)) && (status < R(0.5))) {
+                status = R(1.0);
+            }
+            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
+                status = R(2.0);
+            }
+        }
+        const saturating_bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
+        const saturating_bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
+        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
+            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
+            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
+            grip = ((grip_high) < (((grip) > (grip_low) ? grip : grip_low)) ? grip_high : ((grip) > (grip_low) ? grip : grip_low));
+            input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
+            if (usable > R(0.5)) {
+                status = R(3.0);
+            }
+        }
+        last_input = u_now;
+        last_U = U_now;
+        if (usable > R(0.5)) {
+            age = R(0.0);
+            started = R(1.0);
+        }
+    } else {
+        status = R(7.0);
+        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
+    }
+    estimate = K;
+    variance = P[30];
+    information_gained = information;
+
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->eta = eta;
+    state->rho = rho;
+    state->grip = grip;
+    state->input_scale = input_scale;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+    output->estimate = estimate;
+    output->variance = variance;
+    output->predicted = predicted;
+    output->innovation = innovation;
+    output->innovation_variance = innovation_variance;
+    output->information_gained = information_gained;
+    return (int)status;
+}
+
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int saturating_bicycle_population_step(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state,
+                               const saturating_bicycle_population_sample *sample, saturating_bicycle_population_output *output)
+{
+    return saturating_bicycle_population_advance(config, state, sample, output);
+}
+
+/* The step over n samples; the same bits as calling it n times. */
+SIMILITUDE_API long saturating_bicycle_population_batch(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state, long n,
+                                 const saturating_bicycle_population_sample *samples, saturating_bicycle_population_output *outputs, int *status)
+{
+    saturating_bicycle_population_state now = *state;
+    long i;
+    for (i = 0; i < n; ++i)
+        status[i] = saturating_bicycle_population_advance(config, &now, &samples[i], &outputs[i]);
+    *state = now;
+    return n;
+}
