@@ -25,7 +25,7 @@ FLOW = (
     "finding readers log_quantities log_columns log_time log_cells log_plausibility",
     "log_sensors log_speed log_response log_fixes",
     "log_survey log",
-    "vehicle_prior filter_config coarse_log filter_run steer_lag",
+    "vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
     "identify_setup",

@@ -19,7 +19,9 @@ from similitude.filter_config import filter_config
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
+from similitude.slow_bus import bridged
 
+POPULATION = "saturating_bicycle_population"
 BRIDGED = 0.1  # s: hands on a wheel do little in between
 WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
 Found = TypeVar("Found")
@@ -79,10 +81,9 @@ class Setup:
 
     def at_rate(self, rate: float) -> Setup:
         """The same over the log's means at so many rows a second [Hz], where it has twice as many."""
-        log = coarse_log(self.log, rate)
-        return replace(
-            self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / self.log.samples))
-        )
+        log = coarse_log(bridged(self.log), rate)
+        measured = max(int(np.isfinite(self.log.r).sum()), 1)
+        return replace(self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / measured)))
 
     def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
         """The same with another steer lag [s] and steer scale sd [-]."""
@@ -139,7 +140,7 @@ def coordinates(library: Library) -> list[str]:
 
 def population_setup(log: Log, prior: Prior, **known: float) -> Setup:
     """A setup of the shipped bicycle filter; ``known`` holds L, noise_std and input_scale_sd."""
-    return Setup(log, shipped("saturating_bicycle_population"), prior, **known)
+    return Setup(log, shipped(POPULATION), prior, **known)
 
 
 def side_by_side(passes: Sequence[Callable[[], Found]]) -> list[Found]:

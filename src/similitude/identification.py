@@ -10,6 +10,7 @@ from dataclasses import replace
 from similitude.errors import UsageError
 from similitude.log import Log
 from similitude.run import Assumed, Run
+from similitude.slow_bus import bridged, held_columns, without_repeats
 from similitude.stiffness_doubt import stiffness_doubts
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import wheelbase
@@ -79,7 +80,8 @@ def _by_distance(log: Log, vehicle: Vehicle, estimator: str, spacing: float) -> 
             paste='identify(log, vehicle, spacing=0.4, estimator="population")',
             read='docs/filter.md, "Sampling by distance"',
         )
-    rows = by_distance(log, spacing, wheelbase=wheelbase(vehicle))
+    readings = bridged(without_repeats(log, held_columns(log)))
+    rows = by_distance(readings, spacing, wheelbase=wheelbase(vehicle))
     run = identify(rows, vehicle, estimator=estimator)
     assumed = {**run.assumed, "spacing": Assumed(spacing, "m", "the call: a row for each such distance")}
     return at_rows_of(replace(run, assumed=assumed), log)

@@ -5,6 +5,7 @@ Invariant: the estimators differ in what they do with a setup, never in how it w
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +19,7 @@ from similitude.log import Log
 from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
+from similitude.slow_bus import held_columns, new_readings, without_repeats
 from similitude.steer_lag import LagScan, find_lag, looks_like_command
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES, vehicle_prior
@@ -45,19 +47,20 @@ class Prepared:
     setup: Setup
     scan: LagScan
     commanded: bool
+    held: Mapping[str, int]  # columns of a slow bus: rows for which each reading is repeated
 
 
 def prepare(log: Log, vehicle: Vehicle) -> Prepared:
     """Prior, noise, steer lag and steer scale of a log."""
     prior = vehicle_prior(vehicle)
-    noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
-    setup = population_setup(
-        log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
-    )
+    held = held_columns(log)
+    noise = gyro_noise(log.r[new_readings(log.r, held.get("r", 1))], vehicle.yaw_rate_noise)
+    known = {"L": vehicle.L.value, "noise_std": noise.std, "input_scale_sd": MEASURED_STEER_SD}
+    setup = population_setup(without_repeats(log, held), prior, **known)
     scan = find_lag(setup, vehicle)
     commanded = looks_like_command(scan)
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
-    return Prepared(vehicle, prior, noise, setup, scan, commanded)
+    return Prepared(vehicle, prior, noise, setup, scan, commanded, held)
 
 
 def whole_log(ready: Prepared, done: Pass) -> BatchFit:
@@ -171,6 +174,10 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
     assumed = {
         name: Assumed(float(prior.mean[i]), UNITS[name], prior.origins[name]) for i, name in enumerate(NAMES)
     }
+    rate = ready.setup.log.rate
+    for name, rows in ready.held.items():
+        origin = f"{name} repeats each reading for {rows} rows, as a slow bus does; repeats do not count"
+        assumed[f"{name}_rate"] = Assumed(rate / rows, "Hz", origin)
     return assumed | {
         "population": Assumed(vehicle.population, "-", vehicle.origins.get("population", "default")),
         "L": Assumed(ready.setup.L, "m", vehicle.origins.get("L", "vehicle file")),

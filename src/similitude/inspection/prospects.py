@@ -16,14 +16,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
-from similitude.filter_run import Pass, Setup, population_setup
+from similitude.filter_config import DESIGN
+from similitude.filter_run import POPULATION, Pass, Setup
+from similitude.identify_setup import prepare
 from similitude.log import Log
-from similitude.noise import gyro_noise
 from similitude.prediction import FROZEN
-from similitude.steer_lag import LagScan, find_lag, looks_like_command
+from similitude.program.library import shipped
+from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
-from similitude.vehicle_prior import NAMES, vehicle_prior
+from similitude.vehicle_prior import NAMES
 from similitude.verdict import IDENTIFIED_STD, LINEAR, PRIOR_SHARE
 
 OTHERS = ("input_offset", "output_bias")
@@ -103,16 +104,10 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
     log : Log            as `identify` would get it
     vehicle : Vehicle    with a wheelbase
     """
-    prior = vehicle_prior(vehicle)
-    noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
-    setup = population_setup(
-        log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
-    )
-    if setup.library.c is None:
+    if shipped(POPULATION).c is None:
         return None
-    scan = find_lag(setup, vehicle)
-    commanded = looks_like_command(scan)
-    setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
+    ready = prepare(log, vehicle)
+    prior, setup = ready.prior, ready.setup
     done = setup.run()
     drive = _drive(setup, done)
     base, own = drive.predict(), _spread(done)
@@ -138,8 +133,8 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
         steer_limit=not drive.is_linear(MORE[0]),
         known_scale=min(worse * calibrated, unknowns["K"].after),
         too_slow=float(np.mean(done.status == setup.library.layout.STATUS["too_slow"])),
-        scan=scan,
-        commanded=commanded,
+        scan=ready.scan,
+        commanded=ready.commanded,
         K=done.value("K"),
         K_prior=float(prior.mean[0]),
         K_prior_std=float(prior.std[0]),
