@@ -7,6 +7,7 @@ import pytest
 
 from similitude.batch_pass import COMMANDED_LAG, MEASURED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import DESIGN
+from similitude.filter_run import LINEAR
 from similitude.program.library import shipped
 from similitude.units import Uncertain
 
@@ -22,7 +23,7 @@ CALM = np.log([1e-8, 2e-3])  # hardly any noise, hardly any disturbance
 def frozen(log, *, lag=MEASURED_LAG, noise_std=NOISE, prior=PRIOR, steer_scale_sd=0.02):
     joint = batch_prior(prior, steer_scale_sd=steer_scale_sd, lag=lag)
     setup = setup_of(log, prior, noise_std=noise_std)
-    return FrozenFilter(replace(setup, library=shipped("bicycle_population")), joint)
+    return FrozenFilter(replace(setup, library=shipped(LINEAR)), joint)
 
 
 def at_truth(filter_, *, scale=1.0, lag=1e-4):
@@ -92,7 +93,9 @@ def _physical_filter(log):
     assert rate > 0
     x = np.zeros(5)  # v, r, w, offset, bias
     names = ("disturbance_floor", "input_offset_sd", "output_bias_sd")
-    P = np.diag(np.square([0.1 * U, 0.1 * U / L, *(DESIGN[name] for name in names)]))
+    P = np.diag(
+        np.square([DESIGN["v_star_sd"] * U, DESIGN["r_star_sd"] * U / L, *(DESIGN[name] for name in names)])
+    )
     F = np.eye(5)
     F[:2, :2], F[:2, 2], F[:2, 3], F[2, 2] = A, B, B, keep
     h = np.array([0.0, 1.0, 0.0, 0.0, 1.0])

@@ -19,7 +19,7 @@ COMMANDED_STEER_SD = 0.20  # a command, not a measurement: play, compliance and 
 DESIGN = {
     "input_offset_sd": 0.02,  # rad: alignment and centring
     "output_bias_sd": 0.005,  # rad/s: an automotive gyro after start-up
-    "v_star_sd": 0.1,  # sideslip after a restart [-]
+    "v_star_sd": 0.03,  # sideslip after a restart [-]; 0.1 would start a saturating tyre at its limit
     "r_star_sd": 0.1,  # path curvature times wheelbase after a restart [-]
     "drift": 1e-4,  # 1/s: tyre temperature and load, 8 % in a minute; jumps are found by surprise
     "idle_drift": 2e-3,  # 1/s: unheard, K returns to the population within minutes

@@ -22,6 +22,7 @@ from similitude.program.library import Library, shipped
 from similitude.slow_bus import bridged
 
 POPULATION = "saturating_bicycle_population"
+LINEAR = "bicycle_population"  # the same with linear tyres: the whole-log fit's, and the average car's
 BRIDGED = 0.1  # s: hands on a wheel do little in between
 WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
 Found = TypeVar("Found")

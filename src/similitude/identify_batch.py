@@ -35,7 +35,8 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
     ready = prepare(log, vehicle)
     prior = ready.prior
     batch = whole_log(ready, ready.setup.run())
-    done = replace(batch.frozen, setup=ready.setup).run(batch.x, batch.scales)
+    setup = replace(ready.setup, library=batch.frozen.setup.library)
+    done = replace(batch.frozen, setup=setup).run(batch.x, batch.scales)
     rows = np.ones(log.samples)
     information = np.interp(log.t, batch.t, batch.information)
     trace = trace_of(done, batch.values["K"] * rows, batch.std[0] * rows, information)

@@ -6,7 +6,7 @@ Invariant: the estimators differ in what they do with a setup, never in how it w
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from similitude.batch_fit import BatchFit, fit_batch
 from similitude.batch_pass import COMMANDED_LAG, MEASURED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
-from similitude.filter_run import Pass, Setup, population_setup
+from similitude.filter_run import LINEAR, Pass, Setup, population_setup
 from similitude.log import Log
 from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
+from similitude.program.library import shipped
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
 from similitude.slow_bus import held_columns, new_readings, without_repeats
 from similitude.steer_lag import LagScan, find_lag, looks_like_command
@@ -67,7 +68,7 @@ def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     """The batch fit, started where a pass of the population filter ended."""
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
-    frozen = FrozenFilter(ready.setup, prior)
+    frozen = FrozenFilter(replace(ready.setup, library=shipped(LINEAR)), prior)
     scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])

@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit
 from similitude.batch_pass import FROZEN
-from similitude.filter_run import Setup, side_by_side
+from similitude.filter_run import LINEAR, Setup, side_by_side
 from similitude.program.library import shipped
 
 HORIZON = 1.0  # s
-AVERAGES = "bicycle_population"  # the paper's linear car, held at the population's averages
 MOST = 600  # predictions, about: five minutes twice a second; of a longer log they lie further apart
 
 
@@ -52,14 +51,14 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
             ``ratio_to_batch``; None where nothing could be judged.
     """
     rows = setup.samples()
-    averages = replace(setup, library=shipped(AVERAGES))
+    averages = replace(setup, library=shipped(LINEAR))
     starts = {"frozen_averages": _started(averages, rows, **FROZEN)}
     if recursive:
         starts["estimate"] = _started(setup, rows)
     if batch is not None:
-        held = replace(batch.frozen, setup=setup)
+        held = replace(batch.frozen, setup=replace(setup, library=batch.frozen.setup.library))
         config, state = held.ready(batch.x, batch.scales, zero=batch.zero, held=True)
-        starts["batch"] = _Start(setup, config, state, held.rows(batch.x))
+        starts["batch"] = _Start(held.setup, config, state, held.rows(batch.x))
     done = side_by_side([lambda start=start: _ahead(start) for start in starts.values()])
     ahead = dict(zip(starts, done, strict=True))
     if not recursive:

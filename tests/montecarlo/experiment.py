@@ -13,9 +13,11 @@ import numpy as np
 from scipy.signal import butter, sosfilt
 
 from similitude.filter_run import population_setup
+from similitude.identify_population import trace_of
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.simulate import bicycle_response
+from similitude.verdict import evidence, verdict
 
 RATE = 100.0  # Hz
 NOISE = np.deg2rad(0.15)  # rad/s
@@ -102,7 +104,7 @@ class Score:
     coverage_median: float  # median over cars
     half_way: float  # s, median
     within_15: float  # s, median: for good
-    identified: float  # share of cars whose sd of ln K ended at 0.15 and half the prior
+    identified: float  # share of cars with that verdict
     wrong: int  # identified and off by more than twice the 15 % that identified stands for
 
 
@@ -125,7 +127,9 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
         done = setup.run(**changes)
         # K is Caf L/m: a filter told another wheelbase means the same stiffness by K times that
         error = np.log(done.output("estimate") / (cars.K[i] * L_factor))
-        rows.append(_car(cars.t, error, np.sqrt(done.output("variance")), step, prior.std[0]))
+        sd = np.sqrt(done.output("variance"))
+        code, _ = verdict(evidence(setup.log, trace_of(done, done.output("estimate"), sd), prior))
+        rows.append(_car(cars.t, error, sd, step, code == "identified"))
     columns = np.array(rows, dtype=float).T
     return Score(
         float(np.median(columns[0])),
@@ -137,7 +141,7 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
     )
 
 
-def _car(t, error, sd, step, prior_sd):
+def _car(t, error, sd, step, identified):
     after, end = t >= step, t[-1]
     windows = ((t >= step - 20) & ~after) | (t > end - 20)
     rms = np.sqrt(np.mean(np.square(error[windows])))
@@ -146,7 +150,6 @@ def _car(t, error, sd, step, prior_sd):
     hit = np.flatnonzero(late < np.log(1.5))
     off = np.flatnonzero(np.abs(np.exp(late) - 1) > 0.15)
     dt = t[1] - t[0]
-    identified = sd[-1] <= 0.15 and sd[-1] <= prior_sd / 2
     return [
         rms,
         covered,
