@@ -18,6 +18,7 @@ from similitude.identify_setup import (
     seen_speed,
     warnings_of,
     whole_log,
+    with_fitted_lag,
 )
 from similitude.log import Log
 from similitude.prediction import predict_ahead
@@ -31,9 +32,10 @@ from similitude.verdict import evidence, verdict
 def identify_population(log: Log, vehicle: Vehicle) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
     ready = prepare(log, vehicle)
+    batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
+    ready = with_fitted_lag(ready, batch)
     setup, prior, scan = ready.setup, ready.prior, ready.scan
     done, lag_spread = _passes(setup, scan)
-    batch = whole_log(ready, done) if setup.library.c is not None else None
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
     code, reason = verdict(
         evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
@@ -68,7 +70,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
 
 
 def _passes(setup: Setup, scan: LagScan) -> tuple[Pass, np.ndarray | float]:
-    """The pass over the log, and the sd of ln K from the sd of a scanned lag, (n,).
+    """The pass over the log, and the sd of ln K from the sd of a lag nobody stated, (n,).
 
     That is half the difference of two passes.
     """
