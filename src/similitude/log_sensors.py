@@ -21,6 +21,10 @@ CHANCE = 1e-3  # expected number of such stretches in the log, were it chance
 SHORTEST_STUCK = 0.5  # s; a held value of a slow bus is shorter
 SHORTEST_LINE = 0.3  # s; an interpolated hole of a few samples is as good as none
 MOST_REPEATS = 0.5  # of the pairs of neighbours; above, a column is held or coarse, and no noise shows
+CLEAN_REPEATS = 0.02  # ... and up to here noise shows in every reading: no driver holds so still
+SETTLING = 0.5  # s; after it the yaw rate of a steer that is held goes with the speed
+TURNING_BIN = 0.25  # s; a mean over it has little noise
+OTHERWISE = 0.5  # of the yaw rate's own spread: what a steer that is held cannot bring about
 MOST_TIES = 0.05  # of the pairs of neighbours, away from the ends of the range
 FEWEST_CLIPPED = 6  # rows at one end
 ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
@@ -33,6 +37,7 @@ ALONE = 5  # rows without another spike; peaks of a fast manoeuvre come in rows
 MOST_SPIKES = 0.02  # of the rows; more is how the signal is
 
 READ = 'docs/logs.md, "Faults of sensors"'
+STEERS = ("delta", "steering_wheel")
 WORDS = {"delta": "steer", "r": "yaw rate", "U": "speed"}
 
 
@@ -102,6 +107,12 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     short = seconds < SHORTEST_STUCK
     elsewhere = same.size - int((stops - starts)[~short].sum())
     repeats = int((stops - starts)[short].sum()) / max(elsewhere, 1)
+    if name in STEERS and repeats > CLEAN_REPEATS:
+        held = [(a, b + 1) for a, b in zip(starts[~short], stops[~short], strict=True)]
+        rows = np.zeros(x.size, dtype=bool)
+        for a, b in held:
+            rows[a:b] = _turns_otherwise(values, a, b)
+        return rows
     if repeats > MOST_REPEATS or elsewhere < same.size / 2:
         return np.zeros(x.size, dtype=bool)
     long = ~short & (stops - starts >= _longest_by_chance(repeats, same.size))
@@ -109,6 +120,29 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
         speed = np.r_[0.0, np.nancumsum(np.abs(values["U"]))]
         long &= (speed[stops + 1] - speed[starts]) / (stops + 1 - starts) > STANDSTILL
     return _rows(starts[long], stops[long] + 1, x.size)
+
+
+def _turns_otherwise(values: Mapping[str, np.ndarray], start: int, stop: int) -> bool:
+    """Whether a car turns in ways that a steer held from row `start` to `stop` cannot bring about.
+
+    A driver holds a wheel still, and rounded angles repeat; then yaw rate over speed stays what it is.
+    """
+    if not {"r", "U"} <= values.keys():
+        return False
+    t, r, U = values["t"], values["r"], values["U"]
+    first = int(np.searchsorted(t, t[start] + SETTLING))
+    bins = ((t[first:stop] - t[min(first, t.size - 1)]) / TURNING_BIN).astype(int)
+    known = np.isfinite(r[first:stop]) & np.isfinite(U[first:stop])
+    if np.unique(bins[known]).size < 3:
+        return False
+    count = np.maximum(np.bincount(bins[known]), 1)
+    turned, speed = (np.bincount(bins[known], one[first:stop][known]) / count for one in (r, U))
+    if speed.min() < STANDSTILL:
+        return False
+    rest = turned - speed * float(turned @ speed) / float(speed @ speed)
+    bend = _bend(r)
+    noise = 1.4826 * float(np.nanmedian(np.abs(bend))) / np.sqrt(1.5 * np.median(count))
+    return float(rest.std()) > max(4 * noise, OTHERWISE * float(np.nanstd(r)))
 
 
 def clipped_rows(x: np.ndarray) -> np.ndarray:
