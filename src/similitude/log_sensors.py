@@ -25,6 +25,8 @@ CLEAN_REPEATS = 0.02  # ... and up to here noise shows in every reading: no driv
 SETTLING = 0.5  # s; after it the yaw rate of a steer that is held goes with the speed
 TURNING_BIN = 0.25  # s; a mean over it has little noise
 OTHERWISE = 0.5  # of the yaw rate's own spread: what a steer that is held cannot bring about
+USUAL_REST = 3.0  # times what the steer leaves unexplained elsewhere: a gusty road is no stuck sensor
+MOST_BINS = 1_000_000
 MOST_TIES = 0.05  # of the pairs of neighbours, away from the ends of the range
 FEWEST_CLIPPED = 6  # rows at one end
 ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
@@ -142,7 +144,29 @@ def _turns_otherwise(values: Mapping[str, np.ndarray], start: int, stop: int) ->
     rest = turned - speed * float(turned @ speed) / float(speed @ speed)
     bend = _bend(r)
     noise = 1.4826 * float(np.nanmedian(np.abs(bend))) / np.sqrt(1.5 * np.median(count))
-    return float(rest.std()) > max(4 * noise, OTHERWISE * float(np.nanstd(r)))
+    usual = max(4 * noise, OTHERWISE * float(np.nanstd(r)))
+    return float(rest.std()) > usual and float(rest.std()) > USUAL_REST * _rest_of_turning(values)
+
+
+def _rest_of_turning(values: Mapping[str, np.ndarray]) -> float:
+    """Sd of what steer times speed, at its best delay, usually leaves of the yaw rate [rad/s]."""
+    t = values["t"]
+    at = ((t - t[0]) / TURNING_BIN).astype(int)
+    if at[-1] > MOST_BINS:
+        return np.inf
+    asked, turned = values["delta" if "delta" in values else "steering_wheel"] * values["U"], values["r"]
+    known = np.isfinite(asked) & np.isfinite(turned)
+    count = np.bincount(at[known], minlength=at[-1] + 1)
+    there = count > 0
+    x, y = (np.bincount(at[known], one[known], minlength=at[-1] + 1)[there] / count[there]
+            for one in (asked, turned))  # fmt: skip
+    left = []
+    for late in range(3):
+        cause, effect = x[: x.size - late], y[late:]
+        design = np.column_stack([cause, np.ones(cause.size)])
+        fitted = design @ np.linalg.lstsq(design, effect, rcond=None)[0]
+        left.append(1.4826 * float(np.median(np.abs(effect - fitted))))
+    return min(left)
 
 
 def clipped_rows(x: np.ndarray) -> np.ndarray:
