@@ -16,7 +16,7 @@ from tests.montecarlo.experiment import fleet, score
 from tests.montecarlo.test_batch import NO_LAG, coverage, nuisance_fleet
 from tests.montecarlo.test_cells import DRIVES
 
-from similitude.batch_pass import MEASURED_LAG
+from similitude.steer_lag import MEASURED_LAG
 
 
 def main() -> None:

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from similitude.batch_pass import COMMANDED_LAG, MEASURED_LAG, FrozenFilter, batch_prior
+from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import DESIGN
 from similitude.filter_run import LINEAR
 from similitude.program.library import shipped
+from similitude.steer_lag import MEASURED_LAG
 from similitude.units import Uncertain
 
 from .filter_rig import CAR as PRIOR

@@ -51,6 +51,25 @@ def test_a_stuck_stretch_at_standstill_and_a_coarse_signal_are_no_fault():
     assert not stuck_rows(driving(np.round(noisy(noise=0), 1)), "r").any()
 
 
+def steered(steer):
+    """A car at 20 m/s that turns in proportion to the steer, with 2 mrad/s of noise."""
+    return {"t": T, "delta": steer, "r": 3 * steer + noisy(3, size=0), "U": np.full(T.size, 20.0)}
+
+
+def test_a_coarse_steer_that_a_driver_holds_still_is_no_fault_and_one_that_fell_silent_is():
+    moves = np.where(T % 9 < 4, 0.04 * np.sin(2 * np.pi * T / 4), 0.0)
+    coarse = np.round(moves, 3)
+    assert not stuck_rows(steered(coarse), "delta").any()
+
+    silent = steered(coarse)
+    silent["delta"] = coarse.copy()
+    silent["delta"][850:1250] = coarse[850]  # from 8.5 s, while the car turns from 9 s on
+    rows = np.flatnonzero(stuck_rows(silent, "delta"))
+    assert 850 - 460 <= rows.min() <= 850 and rows.max() == 1249
+
+    assert not stuck_rows({"t": T, "delta": silent["delta"]}, "delta").any()
+
+
 @settings(max_examples=40, deadline=None)
 @given(st.integers(0, 999), st.integers(40, 500), st.integers(5, 2400), st.booleans())
 def test_an_interpolated_hole_is_found_even_as_six_digits(seed, length, start, printed):

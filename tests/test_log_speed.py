@@ -53,6 +53,18 @@ def test_a_speed_too_lively_or_too_fast_for_a_car_is_said():
     assert fast.value == pytest.approx(108)
 
 
+def test_an_acceleration_of_a_second_that_no_road_car_has_is_said():
+    quick = 5 + 6 * np.abs(T % 6 - 3)  # 6 m/s^2 up and down
+    assert check(quick) == []
+    (forward,) = check(1.5 * quick)
+    assert forward.fault == "speed_unit" and forward.value == pytest.approx(9, rel=0.05)
+
+    corner = np.where((T > 20) & (T < 25), 0.5, 0.0)
+    assert check(np.full(T.size, 20.0), corner) == []
+    (side,) = check(np.full(T.size, 36.0), corner)
+    assert side.fault == "speed_unit" and side.value == pytest.approx(18)
+
+
 @settings(max_examples=30, deadline=None)
 @given(st.floats(0.65, 0.9), st.sampled_from([-1, 1]), st.integers(0, 99))
 def test_the_speed_of_one_wheel_is_found_with_half_the_track(half, side, seed):

@@ -53,9 +53,10 @@ def test_a_lag_shorter_than_a_row_is_found_at_other_rates(rate):
 
 @pytest.mark.parametrize("planted", [0.0, 0.1])
 @pytest.mark.parametrize("seed", range(3))
-def test_no_lag_is_invented_on_a_straight_road(planted, seed):
+def test_on_a_straight_road_the_lag_is_that_of_measured_angles_and_stays_open(planted, seed):
     found = scan(drive(seconds=60, rms=1e-4, lag=planted, seed=seed))
-    assert found.chosen == 0.0
+    assert 0.003 < found.chosen < 0.025
+    assert 0.5 * found.chosen < found.std < found.chosen
     assert found.origin == "assumed"
     assert found.cost[0] < CONVINCING
 
@@ -88,7 +89,10 @@ def test_a_late_steer_is_taken_for_a_command():
 def test_a_log_without_a_single_usable_row_has_no_lag():
     log = drive(seconds=5)
     found = scan(spoilt(log, r=slice(None)))
-    assert (found.chosen, found.origin) == (0.0, "assumed")
+    assert found.origin == "assumed"
+    # mean and sd of the lognormal with median 10 ms and sd 0.8, of which a tenth lies beyond the grid
+    assert found.chosen == pytest.approx(0.013, abs=0.002)
+    assert found.std == pytest.approx(0.010, abs=0.003)
     assert np.all(found.cost == 0)
 
 

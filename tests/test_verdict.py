@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from similitude.status import STATUS
-from similitude.verdict import VERDICTS, Evidence, evidence, verdict
+from similitude.verdict import VERDICTS, Evidence, evidence, linear_doubts, verdict
 
 from .filter_rig import CAR as PRIOR
 from .simulated_drive import log_of
@@ -52,6 +52,13 @@ CASES = {
     "bad_data": ({"rejected": 0.31}, ["31", "20"]),
     "diverged": ({"finite": False}, []),
 }
+
+
+@pytest.mark.parametrize(("share", "said"), [(0.05, False), (0.2, True), (0.45, True), (0.8, False)])
+def test_much_learnt_beyond_the_linear_range_is_said_and_most_is_a_verdict(share, said):
+    some = dataclasses.replace(GOOD, outside=beyond(share), information=learnt_evenly())
+    assert bool(linear_doubts(some)) == said
+    assert not said or f"{100 * share:.2g} %" in linear_doubts(some)[0]
 
 
 def test_every_verdict_has_a_case():

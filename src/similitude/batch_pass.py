@@ -22,7 +22,6 @@ from similitude.units import Uncertain
 
 FROZEN = {"excitation_ratio": 1e30, "idle_drift": 0.0, "drift": 0.0}  # groups held, biases follow
 HELD_SD = 1e-6  # of what is known: its uncertainty must not show in the innovations
-MEASURED_LAG = Uncertain(0.010, 0.008, "s")  # buses and filters
 COMMANDED_LAG = Uncertain(0.100, 0.080, "s")  # a servo besides
 STATED_LAG_SD = 0.2  # of its logarithm, where the vehicle file gives none
 LEAST_LAG = 1e-4  # s, what a stated lag of nothing stands for

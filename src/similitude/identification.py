@@ -11,6 +11,7 @@ from similitude.errors import UsageError
 from similitude.log import Log
 from similitude.run import Assumed, Run
 from similitude.slow_bus import bridged, held_columns, without_repeats
+from similitude.steer_scale_doubt import steer_scale_doubts
 from similitude.stiffness_doubt import stiffness_doubts
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import wheelbase
@@ -45,7 +46,8 @@ def identify(
     if spacing is not None:
         return _by_distance(log, vehicle, estimator, spacing)
     run = _by_time(log, vehicle, estimator)
-    return replace(run, warnings=(*run.warnings, *stiffness_doubts(vehicle, run.K)))
+    doubts = (*steer_scale_doubts(log, vehicle), *stiffness_doubts(vehicle, run.K))
+    return replace(run, warnings=(*run.warnings, *doubts))
 
 
 def _by_time(log: Log, vehicle: Vehicle, estimator: str) -> Run:

@@ -18,6 +18,7 @@ from similitude.identify_setup import (
     seen_speed,
     warnings_of,
     whole_log,
+    with_fitted_lag,
 )
 from similitude.log import Log
 from similitude.prediction import predict_ahead
@@ -25,19 +26,21 @@ from similitude.run import Nuisance, Run, Trace, axle_stiffness, held, positive_
 from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
-from similitude.verdict import evidence, verdict
+from similitude.verdict import evidence, linear_doubts, verdict
 
 
 def identify_population(log: Log, vehicle: Vehicle) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
     ready = prepare(log, vehicle)
+    batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
+    ready = with_fitted_lag(ready, batch)
     setup, prior, scan = ready.setup, ready.prior, ready.scan
     done, lag_spread = _passes(setup, scan)
-    batch = whole_log(ready, done) if setup.library.c is not None else None
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
-    code, reason = verdict(
-        evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
-    )
+    seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
+    code, reason = verdict(seen)
+    learnt = code != "not_excited"
+    doubts = linear_doubts(seen) if learnt else ()
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
     values = {name: done.value(name) for name in NAMES}
     covariance = done.covariance(list(NAMES))
@@ -60,7 +63,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
         lag=scan,
         prediction=predict_ahead(setup, batch),
         handling=handling(values, covariance, L=setup.L, U=usual_speed(done), mass=vehicle.m),
-        warnings=(*log.warnings, *warnings_of(ready, batch, learnt=code != "not_excited")),
+        warnings=(*log.warnings, *warnings_of(ready, batch, learnt=learnt), *doubts),
         assumed=assumed_of(ready),
         Caf=axle_stiffness(vehicle, K),
         batch=reported(batch) if batch else None,
@@ -68,7 +71,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
 
 
 def _passes(setup: Setup, scan: LagScan) -> tuple[Pass, np.ndarray | float]:
-    """The pass over the log, and the sd of ln K from the sd of a scanned lag, (n,).
+    """The pass over the log, and the sd of ln K from the sd of a lag nobody stated, (n,).
 
     That is half the difference of two passes.
     """

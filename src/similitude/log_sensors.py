@@ -21,6 +21,12 @@ CHANCE = 1e-3  # expected number of such stretches in the log, were it chance
 SHORTEST_STUCK = 0.5  # s; a held value of a slow bus is shorter
 SHORTEST_LINE = 0.3  # s; an interpolated hole of a few samples is as good as none
 MOST_REPEATS = 0.5  # of the pairs of neighbours; above, a column is held or coarse, and no noise shows
+CLEAN_REPEATS = 0.02  # ... and up to here noise shows in every reading: no driver holds so still
+SETTLING = 0.5  # s; after it the yaw rate of a steer that is held goes with the speed
+TURNING_BIN = 0.25  # s; a mean over it has little noise
+OTHERWISE = 0.5  # of the yaw rate's own spread: what a steer that is held cannot bring about
+USUAL_REST = 3.0  # times what the steer leaves unexplained elsewhere: a gusty road is no stuck sensor
+MOST_BINS = 1_000_000
 MOST_TIES = 0.05  # of the pairs of neighbours, away from the ends of the range
 FEWEST_CLIPPED = 6  # rows at one end
 ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
@@ -33,6 +39,7 @@ ALONE = 5  # rows without another spike; peaks of a fast manoeuvre come in rows
 MOST_SPIKES = 0.02  # of the rows; more is how the signal is
 
 READ = 'docs/logs.md, "Faults of sensors"'
+STEERS = ("delta", "steering_wheel")
 WORDS = {"delta": "steer", "r": "yaw rate", "U": "speed"}
 
 
@@ -102,6 +109,12 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     short = seconds < SHORTEST_STUCK
     elsewhere = same.size - int((stops - starts)[~short].sum())
     repeats = int((stops - starts)[short].sum()) / max(elsewhere, 1)
+    if name in STEERS and repeats > CLEAN_REPEATS:
+        held = [(a, b + 1) for a, b in zip(starts[~short], stops[~short], strict=True)]
+        rows = np.zeros(x.size, dtype=bool)
+        for a, b in held:
+            rows[a:b] = _turns_otherwise(values, a, b)
+        return rows
     if repeats > MOST_REPEATS or elsewhere < same.size / 2:
         return np.zeros(x.size, dtype=bool)
     long = ~short & (stops - starts >= _longest_by_chance(repeats, same.size))
@@ -109,6 +122,51 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
         speed = np.r_[0.0, np.nancumsum(np.abs(values["U"]))]
         long &= (speed[stops + 1] - speed[starts]) / (stops + 1 - starts) > STANDSTILL
     return _rows(starts[long], stops[long] + 1, x.size)
+
+
+def _turns_otherwise(values: Mapping[str, np.ndarray], start: int, stop: int) -> bool:
+    """Whether a car turns in ways that a steer held from row `start` to `stop` cannot bring about.
+
+    A driver holds a wheel still, and rounded angles repeat; then yaw rate over speed stays what it is.
+    """
+    if not {"r", "U"} <= values.keys():
+        return False
+    t, r, U = values["t"], values["r"], values["U"]
+    first = int(np.searchsorted(t, t[start] + SETTLING))
+    bins = ((t[first:stop] - t[min(first, t.size - 1)]) / TURNING_BIN).astype(int)
+    known = np.isfinite(r[first:stop]) & np.isfinite(U[first:stop])
+    if np.unique(bins[known]).size < 3:
+        return False
+    count = np.maximum(np.bincount(bins[known]), 1)
+    turned, speed = (np.bincount(bins[known], one[first:stop][known]) / count for one in (r, U))
+    if speed.min() < STANDSTILL:
+        return False
+    rest = turned - speed * float(turned @ speed) / float(speed @ speed)
+    bend = _bend(r)
+    noise = 1.4826 * float(np.nanmedian(np.abs(bend))) / np.sqrt(1.5 * np.median(count))
+    usual = max(4 * noise, OTHERWISE * float(np.nanstd(r)))
+    return float(rest.std()) > usual and float(rest.std()) > USUAL_REST * _rest_of_turning(values)
+
+
+def _rest_of_turning(values: Mapping[str, np.ndarray]) -> float:
+    """Sd of what steer times speed, at its best delay, usually leaves of the yaw rate [rad/s]."""
+    t = values["t"]
+    at = ((t - t[0]) / TURNING_BIN).astype(int)
+    if at[-1] > MOST_BINS:
+        return np.inf
+    asked, turned = values["delta" if "delta" in values else "steering_wheel"] * values["U"], values["r"]
+    known = np.isfinite(asked) & np.isfinite(turned)
+    count = np.bincount(at[known], minlength=at[-1] + 1)
+    there = count > 0
+    x, y = (np.bincount(at[known], one[known], minlength=at[-1] + 1)[there] / count[there]
+            for one in (asked, turned))  # fmt: skip
+    left = []
+    for late in range(3):
+        cause, effect = x[: x.size - late], y[late:]
+        design = np.column_stack([cause, np.ones(cause.size)])
+        fitted = design @ np.linalg.lstsq(design, effect, rcond=None)[0]
+        left.append(1.4826 * float(np.median(np.abs(effect - fitted))))
+    return min(left)
 
 
 def clipped_rows(x: np.ndarray) -> np.ndarray:

@@ -17,6 +17,8 @@ from similitude.finding import Finding
 from similitude.log_columns import Column
 
 LARGEST_BRAKING = 13.0  # m/s^2 for half a second; 1.3 g is beyond the tyres of a road car
+LARGEST_DRIVE = 8.0  # m/s^2 over a second: 0 to 100 km/h in 3.5 s
+LARGEST_TURN = 14.0  # m/s^2 over a second; yaw rate times speed swings further than the grip of tyres, 1 g
 FAST = 70.0  # m/s; 252 km/h
 SUSTAINED = 99.0  # percentile
 WINDOW = 0.5  # s; over it the noise of a speed signal averages out and a car hardly changes
@@ -47,6 +49,8 @@ def check_speed_signal(
     """
     t, speed, header = values["t"], values["U"], columns["U"].header
     found = [*_lively(t, speed, header), *_joined(t, speed, header)]
+    if not found:
+        found += _beyond_grip(t, speed, values.get("r", np.full(t.size, np.nan)), header)
     if "r" in values:
         found += _one_wheel(t, speed, values["r"], header, (wheelbase or CAR_LENGTH) / CAR_LENGTH)
     return found
@@ -73,11 +77,36 @@ def _lively(t: np.ndarray, speed: np.ndarray, header: str) -> list[Finding]:
     )]  # fmt: skip
 
 
+def _beyond_grip(t: np.ndarray, speed: np.ndarray, rate: np.ndarray, header: str) -> list[Finding]:
+    """Accelerations that last a second and that no road car has, forward or to the side."""
+    forward = _means(t, speed)
+    forward = np.abs(forward[4:]) - np.abs(forward[:-4])  # a second apart; braking may be harder
+    side = _means(t, speed * rate)
+    side = np.abs(side[:-2] + side[2:]) / 2  # of a second
+    most = [float(np.nanmax(one)) if np.isfinite(one).any() else 0.0 for one in (forward, side)]
+    if most[0] > LARGEST_DRIVE:
+        what = f"column {shown(header)} rises by {most[0]:.3g} m/s^2 for 1 s, more than a road car can"
+    elif most[1] > LARGEST_TURN:
+        what = f"column {shown(header)} times yaw rate is {most[1]:.3g} m/s^2 for 1 s, more than tyres hold"
+    else:
+        return []
+    return [Finding(
+        "speed_unit", False, what, "the speed is in km/h, or the yaw rate in another unit.",
+        "--fix speed_is_kmh", READ, column=header, value=max(most), fix="speed_is_kmh",
+    )]  # fmt: skip
+
+
 def _change(t: np.ndarray, signal: np.ndarray) -> np.ndarray:
     """Change of the mean over one window to that over the next, at every half window."""
+    mean = _means(t, signal)
+    return mean[2:] - mean[:-2]
+
+
+def _means(t: np.ndarray, signal: np.ndarray) -> np.ndarray:
+    """Mean over one window, at every half window; at least five, NaN where nothing is known."""
     at = ((t - t[0]) / (WINDOW / 2)).astype(int)
     if at[-1] > 4_000_000:
-        return np.array([np.nan])
+        return np.full(5, np.nan)
     known = np.isfinite(signal)
     count = np.bincount(at[known], minlength=at[-1] + 1)
     total = np.bincount(at[known], signal[known], minlength=at[-1] + 1)
@@ -85,7 +114,7 @@ def _change(t: np.ndarray, signal: np.ndarray) -> np.ndarray:
         mean = (total[1:] + total[:-1]) / np.where(
             np.minimum(count[1:], count[:-1]) > 0, count[1:] + count[:-1], 0
         )
-    return mean[2:] - mean[:-2]
+    return mean
 
 
 def _joined(t: np.ndarray, speed: np.ndarray, header: str) -> list[Finding]:

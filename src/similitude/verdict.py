@@ -28,6 +28,7 @@ LINEAR = 0.3 * 9.80665  # m/s^2, the linear range of a tyre (paper, section 2)
 IDENTIFIED_STD = 0.15  # of ln K
 PRIOR_SHARE = 0.5  # of the prior's sd
 REJECTED_SHARE = 0.20
+NOTED_SHARE = 0.10  # of the information: where it is more, softer tyres have a say in K
 OUTSIDE_SHARE = 0.50  # of the information, beyond the linear range
 CONTRADICTION = 25.0  # noise variance against what the sensor explains: five sd for one
 POPULATION_SD = 2.5
@@ -107,6 +108,17 @@ def verdict(e: Evidence) -> tuple[str, str]:
     return "weak", (
         f"The drive shows the stiffness to ± {sd} (one sd), which is not yet the 15 % that counts as "
         "identified; more steering or a measured steer angle would help."
+    )
+
+
+def linear_doubts(e: Evidence) -> tuple[str, ...]:
+    """A warning where much, but not most, of the information came from beyond the linear range."""
+    share = _outside_share(e)
+    if not NOTED_SHARE < share <= OUTSIDE_SHARE:
+        return ()
+    return (
+        f"{100 * share:.2g} % of what was learnt came from beyond 0.3 g, where tyres give way: K may read "
+        "low, and further off than its interval says; a gentler drive would settle it",
     )
 
 

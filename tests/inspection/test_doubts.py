@@ -7,6 +7,7 @@ import pytest
 
 from similitude.inspection.channels import channel
 from similitude.inspection.doubts import (
+    find_coarse_steer,
     find_cut_steer,
     find_late_steer,
     find_other_axis,
@@ -37,6 +38,21 @@ def test_a_cut_steer_names_where_it_is_held():
 
     assert "-0.34 and 0.34 rad" in found.what and not found.certain
     assert find_cut_steer(channel(0.3 * np.sin(t), header="delta [rad]")) == []
+
+
+@pytest.mark.parametrize("step, found", [(0.02, ["steer_coarse"]), (0.01, [])])
+def test_a_steer_in_large_steps_is_coarse(step, found):
+    steer = 0.2 * np.sin(np.arange(5000) * 0.02)
+    described = channel(np.round(steer / step) * step, header="delta [rad]", unit="rad")
+
+    assert faults(find_coarse_steer(described, float(steer.std()))) == found
+
+
+def test_a_scale_of_one_over_three_point_six_is_that_of_kilometres_an_hour():
+    (kmh,) = find_wrong_scale(SlowRelation(20, length=9.72, length_std=0.06), 2.7, "delta", at_wheel=False)
+    (other,) = find_wrong_scale(SlowRelation(20, length=4.0, length_std=0.06), 2.7, "delta", at_wheel=False)
+
+    assert kmh.fix == "speed_is_kmh" and other.fix is None
 
 
 @pytest.mark.parametrize("lag, found", [(0.06, ["late_steer"]), (0.003, []), (0.0, [])])

@@ -11,11 +11,12 @@ import pytest
 from scipy.signal import butter, sosfilt
 
 from similitude.batch_fit import fit_batch
-from similitude.batch_pass import MEASURED_LAG, FrozenFilter, batch_prior
+from similitude.batch_pass import FrozenFilter, batch_prior
 from similitude.filter_run import LINEAR, population_setup
 from similitude.handling import handling
 from similitude.program.library import shipped
 from similitude.simulate import bicycle_response
+from similitude.steer_lag import MEASURED_LAG
 from similitude.units import Uncertain
 
 from . import experiment

@@ -1,5 +1,6 @@
 """The content of a file decides its reader; what is no log is named."""
 
+import os
 import shutil
 
 import numpy as np
@@ -74,3 +75,25 @@ def test_a_log_that_vanishes_between_two_reads_is_refused(tmp_path, monkeypatch)
 
     with pytest.raises(LogError, match="cannot be read"):
         open_table(folder / "drive.csv")
+
+
+def test_a_pipe_is_refused_instead_of_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "drive.csv")
+
+    with pytest.raises(LogError, match="a pipe or a device"):
+        open_table(tmp_path / "drive.csv")
+
+
+def test_a_line_without_end_is_no_header(tmp_path):
+    (tmp_path / "drive.csv").write_bytes(b"t [s]," * 200_000)
+
+    with pytest.raises(LogError, match="1200000 characters"):
+        open_table(tmp_path / "drive.csv")
+
+
+def test_a_small_parquet_file_that_claims_too_many_cells_is_refused_unread(tmp_path, monkeypatch):
+    pq.write_table(pa.table({"t [s]": np.zeros(1000)}), tmp_path / "drive.parquet")
+    monkeypatch.setattr("similitude.readers.parquet.MOST_CELLS", 999)
+
+    with pytest.raises(LogError, match="1000 rows of 1 columns"):
+        open_table(tmp_path / "drive.parquet")

@@ -20,6 +20,8 @@ READ = 'docs/inspect.md, "What it finds by itself"'
 SURE = 2.0  # sds
 SCALE_SURE = 3.0  # sds: the relation is a static one
 SCALE_OFF = 0.1  # of a steer scale: less is within what a wheelbase and a track leave open
+COARSE = 0.08  # of the steer's sd: above, rounding no longer averages out over a drive
+KMH = 3.6  # a speed in km/h taken for m/s makes the car turn so much less
 AXES_ALIKE = 0.6  # correlation of a lateral acceleration with a change of speed: it is the other axis
 AXES_OTHER = 0.3  # ... and with what turning the car asks for
 SMOOTH = 0.3  # s
@@ -40,6 +42,21 @@ def find_cut_steer(channel: Channel) -> list[Finding]:
         "it is a command that is limited, or a sensor at its end; the wheels may turn otherwise.",
         "--map delta=COLUMN   # a measured road wheel, where the file has one", READ,
         column=channel.header, value=share,
+    )]  # fmt: skip
+
+
+def find_coarse_steer(channel: Channel, moves: float) -> list[Finding]:
+    """A steer whose readings are rounded to much of what it moves; ``moves`` its sd [file's unit]."""
+    step = channel.resolution
+    if step is None or step <= COARSE * moves:
+        return []
+    return [Finding(
+        "steer_coarse", False,
+        f"column '{channel.header}' comes in steps of {step:.2g} {channel.unit or ''}".rstrip()
+        + f", {100 * step / moves:.2g} % of what it moves (one sd)",
+        "the bus message has few digits; on simulated motorway drives K then read 5 to 15 % low.",
+        "--map delta=COLUMN   # a finer one, where the file has one; or steer more", READ,
+        column=channel.header, value=step / moves,
     )]  # fmt: skip
 
 
@@ -66,13 +83,18 @@ def find_wrong_scale(slow: SlowRelation, wheelbase: float, header: str, *, at_wh
     scale = wheelbase / slow.length
     if abs(np.log(scale)) < max(SCALE_SURE * slow.length_std, SCALE_OFF):
         return []
+    kmh = abs(np.log(scale * KMH)) < max(SURE * slow.length_std, SCALE_OFF)
     return [Finding(
         "steer_scale", False,
         f"column '{header}' turns the car {scale:.2g} ± {scale * slow.length_std:.2g} times as much as its "
-        f"wheelbase of {wheelbase:.3g} m allows at low speed",
-        "the angle is a command or was scaled by a guess; K and steer scale trade.",
+        f"wheelbase of {wheelbase:.3g} m asks for at low speed",
+        "the speed is in km/h, or the angle in another unit or scaled by a guess; K is wrong with either."
+        if kmh else
+        "the angle is a command or was scaled by a guess, or the speed is in another unit; K is wrong with "
+        "either.",
+        "--fix speed_is_kmh" if kmh else
         f"log['{header}'] *= {scale:.2g}   # only if a measurement says so", READ,
-        column=header, value=float(scale),
+        column=header, value=float(scale), fix="speed_is_kmh" if kmh else None,
     )]  # fmt: skip
 
 

@@ -16,6 +16,7 @@ from similitude.errors import LogError
 from similitude.finding import Finding
 from similitude.inspection.channels import Channel, channel
 from similitude.inspection.doubts import (
+    find_coarse_steer,
     find_cut_steer,
     find_late_steer,
     find_other_axis,
@@ -26,7 +27,7 @@ from similitude.inspection.excitation import Window, excitation
 from similitude.inspection.follow import Follow, follow, yaw_behind_steer
 from similitude.inspection.prospects import Prospects, prospects
 from similitude.inspection.signals import Signals, even_signals
-from similitude.inspection.slow_relation import SlowRelation, slow_relation
+from similitude.inspection.slow_relation import SlowRelation, slow_relation, usual_understeer
 from similitude.inspection.timing import Timing, timing
 from similitude.log import Log
 from similitude.log_columns import column_of
@@ -35,7 +36,6 @@ from similitude.log_sensors import straight_rows
 from similitude.log_survey import NOTHING, Survey, survey
 from similitude.readers import open_table
 from similitude.vehicle_file import Vehicle
-from similitude.vehicle_prior import vehicle_prior
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +114,8 @@ def inspect_log(
     behind = yaw_behind_steer(signals) if signals else None
     slow = None
     if signals is not None:
-        slow = slow_relation(signals, lag=(behind and behind.lag) or 0.0, understeer=_understeer(vehicle))
+        late = (behind and behind.lag) or 0.0
+        slow = slow_relation(signals, lag=late, understeer=usual_understeer(vehicle))
     plan = _prospects(seen, vehicle)
     look = Inspection(
         survey=seen,
@@ -173,17 +174,6 @@ def _behind_yaw(signals: Signals | None) -> Follow | None:
     return follow(signals.r * signals.U, signals.ay, signals.step)
 
 
-def _understeer(vehicle: Vehicle | None) -> tuple[float, float] | None:
-    """Understeer (1 - pi1)(1 - 1/eta)/K of the vehicle's prior and its sd [s^2/m^2]."""
-    if vehicle is None or vehicle.L is None:
-        return None
-    prior = vehicle_prior(vehicle)
-    K, pi1, eta, _ = prior.mean
-    c = (1 - pi1) * (1 - 1 / eta) / K
-    slope = np.array([-c, -(1 - 1 / eta) / K, (1 - pi1) / (eta * K), 0.0])  # by ln K, pi1, ln eta
-    return float(c), float(np.sqrt(slope @ prior.covariance @ slope))
-
-
 def _prospects(seen: Survey, vehicle: Vehicle | None) -> Prospects | None:
     needed = {"t", "delta", "r", "U"}
     if vehicle is None or vehicle.L is None or seen.certain or not needed <= seen.values.keys():
@@ -224,6 +214,9 @@ def _doubts(look: Inspection) -> list[Finding]:
     steer = next((one for one in look.channels if one.taken_for in ("delta", "steering_wheel")), None)
     if steer is not None and "clipped" not in known:
         met += find_cut_steer(steer)
+    if steer is not None and look.signals is not None and look.signals.steer is not None:
+        unit = look.survey.columns[steer.taken_for].unit.factor
+        met += find_coarse_steer(steer, float(np.nanstd(look.signals.steer)) / unit)
     if look.prospects is not None:
         met += find_late_steer(look.prospects, look.steer)
         met += find_strange_stiffness(look.prospects, look.steer)

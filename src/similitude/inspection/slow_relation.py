@@ -19,6 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.inspection.signals import Signals
+from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import vehicle_prior
 
 WINDOW = 2.0  # s: a mean over it has forgotten the dynamics of yaw
 MEASURED = 0.8  # share of a window that must be there
@@ -116,6 +118,17 @@ def slow_relation(
         length=float(1 / (gain * max(1 + c * square, LEAST))),
         length_std=float(np.hypot(own, STRUCTURE)),
     )
+
+
+def usual_understeer(vehicle: Vehicle | None) -> tuple[float, float] | None:
+    """Understeer (1 - pi1)(1 - 1/eta)/K of the vehicle's prior and its sd [s^2/m^2]; None without L."""
+    if vehicle is None or vehicle.L is None:
+        return None
+    prior = vehicle_prior(vehicle)
+    K, pi1, eta, _ = prior.mean
+    c = (1 - pi1) * (1 - 1 / eta) / K
+    slope = np.array([-c, -(1 - 1 / eta) / K, (1 - pi1) / (eta * K), 0.0])  # by ln K, pi1, ln eta
+    return float(c), float(np.sqrt(slope @ prior.covariance @ slope))
 
 
 def standstill_bias(signals: Signals) -> Measured | None:

@@ -79,6 +79,14 @@ def _named_otherwise(path: Path, named: str, being: str) -> tuple[Finding, ...]:
 
 
 def _first_bytes(path: Path) -> bytes:
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise LogError(
+            f"log {shown(path, longest=200)} cannot be opened: it is a pipe or a device, not a file",
+            usually="a stream was handed over; a log is read more than once, so it must lie in a file.",
+            paste=f"cat {path.name} > drive.csv",
+            read=READ,
+            fault="cannot_open",
+        )
     try:
         with open(path, "rb") as file:
             return file.read(4096)

@@ -17,6 +17,7 @@ _SEPARATORS = ",;\t|"
 NUMBER = re.compile(
     r"\s*[-+]?(?:(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?|nan|inf|infinity)\s*", re.IGNORECASE
 )
+LONGEST_HEADER = 1_000_000  # characters; ten thousand columns with long names
 LINE_END = re.compile(rb"\r\n|\n|\r")
 
 
@@ -50,6 +51,14 @@ def take_apart(path: Path, raw: bytes) -> CsvText:
     """Find header, separator and rows in the bytes of a file; LogError when there are none."""
     raw = _utf8(raw)
     line, body = _header_line(raw)
+    if len(line) > LONGEST_HEADER:
+        raise LogError(
+            f"the first line of {path.name} has {len(line)} characters; {LONGEST_HEADER} are the most",
+            usually="the file has no line ends, or rows and columns were exchanged.",
+            paste="t [s],delta [rad],r [rad/s],U [m/s]",
+            read=READ,
+            fault="no_header",
+        )
     separator = max(_SEPARATORS, key=line.count)
     if separator not in line and len(re.findall(r"\[[^]]*\]", line)) > 1:
         raise LogError(

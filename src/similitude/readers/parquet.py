@@ -12,6 +12,8 @@ from similitude.errors import LogError, shown
 from similitude.finding import Finding
 from similitude.readers.table import READ, Loaded, Table
 
+MOST_CELLS = 400_000_000  # 3 GB as float64: 28 h of four columns at 1 kHz
+
 
 def open_parquet(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
     """Open a Parquet file.
@@ -27,7 +29,7 @@ def open_parquet(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
 
     Raises
     ------
-    LogError   the file is cut off or damaged
+    LogError   the file is cut off, damaged, or claims more cells than memory should hold
     """
     import pyarrow.parquet
 
@@ -44,6 +46,15 @@ def open_parquet(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
         headers = tuple(str(name) for name in file.schema_arrow.names)
     except Exception as error:  # damaged bytes raise a dozen kinds of exception in pyarrow
         raise _damaged(path, error) from None
+    rows, columns = file.metadata.num_rows, file.metadata.num_columns
+    if rows * columns > MOST_CELLS:
+        raise LogError(
+            f"{path.name} holds {rows} rows of {columns} columns; {MOST_CELLS} cells are the most",
+            usually="a whole fleet or month lies in one file; a log is one drive.",
+            paste='table[["t [s]", "delta [rad]", "r [rad/s]", "U [m/s]"]].iloc[:3600000]',
+            read=READ,
+            fault="too_large",
+        )
 
     def load(positions: Sequence[int], *, blanked: Collection[str] = ()) -> Loaded:
         return _load(path, file, positions, "text_in_cell" in blanked)

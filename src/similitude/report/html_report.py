@@ -65,7 +65,10 @@ def html_report(run: Run, record: Mapping[str, Any]) -> str:
         An HTML document that needs no other file; equal runs give equal text.
     """
     charts = charts_of(run)
-    parts = [_verdict(run), _glance(run, charts), _estimate(run, charts)]
+    parts = [_verdict(run)]
+    if run.warnings:
+        parts.append(section("Warnings", bullets(run.warnings)))
+    parts += [_glance(run, charts), _estimate(run, charts)]
     if run.handling:
         parts.append(_handling(run))
     if run.groups:
@@ -78,8 +81,6 @@ def html_report(run: Run, record: Mapping[str, Any]) -> str:
     if run.prediction:
         parts.append(_prediction(run))
     parts.append(_origins(run))
-    none = paragraph("None.", quiet=True)
-    parts.append(section("Warnings", bullets(run.warnings) if run.warnings else none))
     parts.append(_files(record))
     return page(f"{run.log.name}: {run.vehicle.name}", parts, charts)
 
@@ -90,11 +91,11 @@ def _verdict(run: Run) -> Html:
     word = badge(run.verdict.replace("_", " "), TONES.get(run.verdict, "plain"))
     answer = strong(f"K = {value} ± {std} m²/s²")
     count = len(run.warnings)
-    said = f"{count} warning{'s' if count > 1 else ''}, listed below." if count else ""
+    said = f"{count} warning{'s' if count > 1 else ''}, below." if count else "No warnings."
     return lead(
         paragraph(word, answer, aside(f"95 %: {low} to {high}")),
         paragraph(run.reason),
-        *([paragraph(said, quiet=True)] if said else []),
+        paragraph(said, quiet=True),
     )
 
 
