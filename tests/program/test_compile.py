@@ -193,7 +193,7 @@ def test_a_program_that_is_no_compiler_is_an_error_in_four_parts(cache, monkeypa
     """`true` ends well whatever it is asked, and writes nothing."""
     monkeypatch.setenv("SIMILITUDE_CC", "true")
 
-    with pytest.raises(CompileError, match="true' ended well on probe-.* but wrote no library"):
+    with pytest.raises(CompileError, match=r"true' ended well on probe-.* but wrote no library"):
         load_library(SOURCE, name="probe")
     assert not list(cache.glob(".build-*"))
 
