@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from similitude.status import STATUS
-from similitude.verdict import VERDICTS, Evidence, evidence, verdict
+from similitude.verdict import VERDICTS, Evidence, cautions, evidence, verdict
 
 from .filter_rig import CAR as PRIOR
 from .simulated_drive import log_of
@@ -95,6 +95,15 @@ def test_half_of_the_information_may_come_from_outside():
     early = np.full(ROWS, 5.0)
     assert code(outside=beyond(0.99), information=early) == "identified"
     assert code(outside=beyond(1.0), information=np.zeros(ROWS)) == "identified"
+
+
+def test_a_share_from_outside_that_decides_nothing_is_said():
+    def said(share):
+        return cautions(dataclasses.replace(GOOD, outside=beyond(share), information=learnt_evenly()))
+
+    assert said(0.10) == [] and said(0.51) == []
+    (line,) = said(0.30)
+    assert "30 %" in line and "0.3 g" in line
 
 
 def test_innovations_five_times_the_sensor_contradict_the_model():

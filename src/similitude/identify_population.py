@@ -25,7 +25,7 @@ from similitude.run import Nuisance, Run, Trace, axle_stiffness, held, positive_
 from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
-from similitude.verdict import evidence, verdict
+from similitude.verdict import cautions, evidence, verdict
 
 
 def identify_population(log: Log, vehicle: Vehicle) -> Run:
@@ -35,9 +35,9 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     done, lag_spread = _passes(setup, scan)
     batch = whole_log(ready, done) if setup.library.c is not None else None
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
-    code, reason = verdict(
-        evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
-    )
+    seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
+    code, reason = verdict(seen)
+    learnt = code != "not_excited"
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
     values = {name: done.value(name) for name in NAMES}
     covariance = done.covariance(list(NAMES))
@@ -60,7 +60,11 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
         lag=scan,
         prediction=predict_ahead(setup, batch),
         handling=handling(values, covariance, L=setup.L, U=usual_speed(done), mass=vehicle.m),
-        warnings=(*log.warnings, *warnings_of(ready, batch, learnt=code != "not_excited")),
+        warnings=(
+            *log.warnings,
+            *(cautions(seen) if learnt else ()),
+            *warnings_of(ready, batch, learnt=learnt),
+        ),
         assumed=assumed_of(ready),
         Caf=axle_stiffness(vehicle, K),
         batch=reported(batch) if batch else None,

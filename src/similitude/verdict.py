@@ -29,6 +29,7 @@ IDENTIFIED_STD = 0.15  # of ln K
 PRIOR_SHARE = 0.5  # of the prior's sd
 REJECTED_SHARE = 0.20
 OUTSIDE_SHARE = 0.50  # of the information, beyond the linear range
+OUTSIDE_SAID = 0.10  # of it, from which the number needs a word of caution
 CONTRADICTION = 25.0  # noise variance against what the sensor explains: five sd for one
 POPULATION_SD = 2.5
 WORDS = {
@@ -108,6 +109,17 @@ def verdict(e: Evidence) -> tuple[str, str]:
         f"The drive shows the stiffness to ± {sd} (one sd), which is not yet the 15 % that counts as "
         "identified; more steering or a measured steer angle would help."
     )
+
+
+def cautions(e: Evidence) -> list[str]:
+    """What takes nothing from the verdict, but something from the number."""
+    share = _outside_share(e)
+    if not OUTSIDE_SAID < share <= OUTSIDE_SHARE:
+        return []
+    return [
+        f"{100 * share:.2g} % of what was learnt came from beyond 0.3 g, where tyres give less for more "
+        "slip: the stiffness at small slip is then higher than K; judge by a part of the drive below 0.3 g"
+    ]
 
 
 def _not_excited(e: Evidence, sd: str, slow: float) -> str:
