@@ -101,6 +101,23 @@ def test_steer_scale_lag_offset_and_bias_are_found_or_counted():
     assert told.x[0] == pytest.approx(moved, abs=0.5 * found.std[0])
 
 
+@pytest.mark.parametrize(
+    ("speeds", "rms", "told"), [((25.0, 25.0), 0.004, False), ((4.0, 30.0), 0.012, True)]
+)
+def test_what_a_wrong_steer_scale_does_to_k_is_what_it_is_said_to_do(speeds, rms, told):
+    """The same drive logged with 5 % less steer; where the car also crawls, the log tells the scale."""
+    slow, fast = speeds
+    log = drive(
+        seconds=60, rms=rms, band=(0.05, 1.0), rate=50,
+        U=lambda t: slow + (fast - slow) * 0.5 * (1 - np.cos(2 * np.pi * t / 20)),
+    )  # fmt: skip
+    less = log_of(log.t, log.delta / 1.05, log.r, log.U)
+    here, there = fitted(log), fitted(less)
+    assert (here.told("steer_scale") > 0.75) == told
+    change = here.leans("steer_scale") * np.log(1.05)
+    assert there.x[0] - here.x[0] == pytest.approx(-change, abs=0.3 * here.std[0])
+
+
 @pytest.mark.parametrize("what", ["blind", "standstill", "straight"])
 def test_where_nothing_was_learnt_the_prior_comes_back(what):
     log = drive(seconds=30, rms=1e-6 if what == "straight" else 0.006)

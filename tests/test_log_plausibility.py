@@ -84,3 +84,8 @@ def test_standstill_and_reverse_are_said():
     assert "stands (below 0.5 m/s) in 25 %" in still.what
     assert "negative in 25 %" in back.what
     assert check_speed(np.full(9, 5.0), header="U [m/s]") == []
+
+
+def test_a_car_that_never_moved_stands_in_100_percent():
+    (still,) = check_speed(np.zeros(300), header="U [m/s]")
+    assert "in 100 % of the rows" in still.what

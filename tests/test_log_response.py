@@ -140,3 +140,14 @@ def test_a_standing_car_says_nothing(quiet):
 
     assert check(values) == []
     assert Vehicle("car").L is None
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_slalom_of_one_frequency_with_a_turned_sign_gets_a_word(sign):
+    """Sines of equal frequency may be alike by chance, so it is not refused; nor is it passed over."""
+    t = np.arange(0, 20, 0.01)
+    answer = 0.1 * np.sin(np.pi * t - 0.3) + 0.002 * np.random.default_rng(0).standard_normal(t.size)
+    steer = 0.03 * np.sin(np.pi * t)
+    found = check({"t": t, "delta": sign * steer, "r": answer, "U": np.full(t.size, 16.0)})
+    said = [(one.fault, one.certain, one.fix) for one in found]
+    assert said == ([] if sign > 0 else [("steer_sign", False, "flip_steer_sign")])

@@ -121,6 +121,12 @@ def test_a_saturated_sensor_is_found(share):
     np.testing.assert_array_equal(rows, np.abs(x) >= limit)
 
 
+@pytest.mark.filterwarnings("error")
+def test_a_steer_of_two_values_is_a_square_wave_and_not_clipped():
+    assert not clipped_rows(0.05 * np.where(np.sin(4.4 * T + 0.1) > 0, 1, -1)).any()
+    assert not clipped_rows(0.05 * np.sign(np.sin(4.4 * T))).any()  # and one zero, at its start
+
+
 @pytest.mark.parametrize("digits", [1, 2, 3, 6])
 def test_a_coarse_sine_is_not_clipped(digits):
     assert not clipped_rows(np.round(noisy(noise=0, frequency=1.7), digits)).any()

@@ -97,6 +97,18 @@ class BatchFit:
         i = self.frozen.prior.names.index(name)
         return float(self.covariance[0, i] / self.covariance[i, i])
 
+    def told(self, name: str) -> float:
+        """Share of a coordinate's prior variance that the log itself has taken away, 0 to 1 [-]."""
+        i = self.frozen.prior.names.index(name)
+        return float(1 - self.covariance[i, i] / self.frozen.prior.covariance[i, i])
+
+    def leans(self, name: str) -> float:
+        """Change of ln K per error of what was stated of another coordinate before the log [-].
+
+        That is its `slope` as far as the log does not tell the coordinate itself.
+        """
+        return self.slope(name) * (1 - self.told(name))
+
 
 def fit_batch(frozen: FrozenFilter, start: NDArray[np.float64], scales: NDArray[np.float64]) -> BatchFit:
     """Fit a whole log.

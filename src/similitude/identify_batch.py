@@ -27,7 +27,7 @@ from similitude.prediction import predict_ahead
 from similitude.run import Nuisance, Run, axle_stiffness
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
-from similitude.verdict import evidence, verdict
+from similitude.verdict import evidence, linear_doubts, verdict
 
 
 def identify_batch(log: Log, vehicle: Vehicle) -> Run:
@@ -43,7 +43,9 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
     low, high = (limit[:4] for limit in coordinate_limits(batch.frozen))
     at_limit = held_by_limits(batch.x[:4], low, high, prior, float(batch.std[0]))
     noise_scale = float(np.exp(batch.scales[0]))
-    code, reason = verdict(evidence(log, trace, prior, noise_scale=noise_scale, at_limit=at_limit))
+    seen = evidence(log, trace, prior, noise_scale=noise_scale, at_limit=at_limit)
+    code, reason = verdict(seen)
+    learnt = code != "not_excited"
     found = reported(batch)
     values = {name: batch.values[name] for name in NAMES}
     return Run(
@@ -66,7 +68,11 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
         handling=handling(
             values, batch.covariance[:4, :4], L=ready.setup.L, U=usual_speed(done), mass=vehicle.m
         ),
-        warnings=(*log.warnings, *warnings_of(ready, batch, learnt=code != "not_excited")),
+        warnings=(
+            *log.warnings,
+            *(linear_doubts(seen) if learnt else ()),
+            *warnings_of(ready, batch, learnt=learnt),
+        ),
         assumed=assumed_of(ready),
         Caf=axle_stiffness(vehicle, found.K),
         batch=found,

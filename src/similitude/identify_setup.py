@@ -35,6 +35,8 @@ UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
 SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
 AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
 SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
+WORTH_SAYING = 0.01  # of K
+MOSTLY = 0.75  # of the prior variance gone: half its sd
 APART = 3.0  # sd between the halves of a log: one log in 400 by chance
 
 
@@ -159,23 +161,36 @@ def warnings_of(ready: Prepared, batch: BatchFit | None, *, learnt: bool) -> lis
 
 
 def _of_the_fit(batch: BatchFit) -> list[str]:
-    change = np.expm1(batch.slope("steer_scale") * np.log1p(SCALE_CHANGE))
-    lines = [
-        f"K and steer scale trade: were the steer angle {100 * SCALE_CHANGE:.0f} % larger than logged, "
-        f"K would read {100 * change:+.0f} % (correlation {batch.correlation('steer_scale'):+.2f}; "
-        f"with the steer lag {batch.correlation('steer_lag'):+.2f})"
-    ]
+    lines = _of_the_steer_scale(batch)
     halves = batch.halves
     if halves.apart > APART:
         lines.append(
             f"the first half of the log reads K about {np.exp(halves.first):.3g} m^2/s^2, the second about "
             f"{np.exp(halves.second):.3g}, {halves.apart:.1f} sd apart: the stiffness changed on the way "
             "(tyres, road, load, or corners beyond 0.3 g), and one number for the whole log is an average; "
-            "--estimator population follows it"
+            "the population filter follows it, and its K is that of the end"
         )
     if not batch.settled:
         lines.append("the fit of the whole log did not come to rest; take its K as a rough guide")
     return lines
+
+
+def _of_the_steer_scale(batch: BatchFit) -> list[str]:
+    """By how much a steer angle logged too small makes K read wrong; nothing where it does not."""
+    if batch.told("steer_scale") > MOSTLY:
+        spread = batch.std[batch.frozen.prior.names.index("steer_scale")]
+        return [
+            f"K and steer scale trade, but this drive tells the scale itself to ± {100 * spread:.2g} %, "
+            f"{100 * (batch.values['steer_scale'] - 1):+.2g} % against the log; a wrong one moves K little"
+        ]
+    change = np.expm1(batch.leans("steer_scale") * np.log1p(SCALE_CHANGE))
+    if abs(change) < WORTH_SAYING:
+        return []
+    return [
+        f"K and steer scale trade: were the steer angle {100 * SCALE_CHANGE:.0f} % larger than logged, "
+        f"K would read {100 * change:+.0f} % (correlation {batch.correlation('steer_scale'):+.2f}; "
+        f"with the steer lag {batch.correlation('steer_lag'):+.2f})"
+    ]
 
 
 def assumed_of(ready: Prepared) -> dict[str, Assumed]:

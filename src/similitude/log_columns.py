@@ -14,10 +14,10 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from similitude.dimension import ACCELERATION
 from similitude.errors import LogError, UnitError, UsageError, shown
 from similitude.finding import Finding, refusal
-from similitude.log_quantities import AMBIGUOUS, QUANTITIES, STEER, normal_name, split_header
+from similitude.log_names import fits_unit, other_name, unit_of
+from similitude.log_quantities import QUANTITIES, STEER, normal_name, split_header
 from similitude.units import Unit, parse_unit
 
 READ = 'docs/logs.md, "Columns"'
@@ -176,7 +176,8 @@ def _missing(headers: Sequence[str], file: str, found: Mapping, doubtful: set[st
     if not missing:
         return []
     names = " and ".join(f"'{name}' ({QUANTITIES[name].words})" for name in missing)
-    usually, paste = _other_name(headers, found, missing)
+    free = [one for one in headers if one not in [header for _, header in found.values()]]
+    usually, paste = other_name(free, missing, nothing_known=not found)
     error = LogError(
         f"{file} has no column for {names}; its columns are {_listed(headers)}",
         usually=usually,
@@ -185,27 +186,6 @@ def _missing(headers: Sequence[str], file: str, found: Mapping, doubtful: set[st
         fault="missing_column",
     )
     return [refusal(error)]
-
-
-def _other_name(headers: Sequence[str], found: Mapping, missing: list[str]) -> tuple[str, str]:
-    """What usually hides a missing column, and the line to paste."""
-    first = missing[0]
-    unclear = [one for one in headers if normal_name(split_header(one)[0]) in AMBIGUOUS]
-    if "delta" in missing and unclear:
-        column = split_header(unclear[0])[0]
-        return (
-            f"{shown(column)} is the steering wheel; if it is the road wheel, map delta.",
-            f'--map "steering_wheel={column}"',
-        )
-    if not found:
-        return (
-            "the file is no driving log, or its header is not in its first line.",
-            ",".join(f"{name} [{QUANTITIES[name].si}]" for name in ("t", "delta", "r", "U")),
-        )
-    known = ", ".join(sorted(QUANTITIES[first].aliases, key=lambda name: (len(name), name))[:6])
-    free = [split_header(one)[0] for one in headers if one not in [h for _, h in found.values()]]
-    near = difflib.get_close_matches(first, free, n=1, cutoff=0.3) or ["COLUMN"]
-    return f"it goes by another name than {known}, ...", f'--map "{first}={near[0]}"'
 
 
 def _listed(headers: Sequence[str]) -> str:
@@ -228,7 +208,7 @@ def _unit(name: str, header: str, file: str) -> Unit:
             fault="no_unit",
         )  # fmt: skip
     try:
-        unit = parse_unit(text, expect=ACCELERATION if name == "ay" and text in ("g", "G", "mg") else None)
+        unit = unit_of(name, text)
     except UnitError as error:
         raise UnitError(
             f"{where}: {error.what}",
@@ -237,9 +217,7 @@ def _unit(name: str, header: str, file: str) -> Unit:
             read='docs/logs.md, "Units"',
             fault="unknown_unit",
         ) from None
-    plain_number = text in ("1", "-", "1/s", "s^-1")  # SI: the radian is 1
-    right_angle = unit.angle == 1 or plain_number if quantity.is_angle else unit.angle == 0
-    if unit.dimension != quantity.dimension or not right_angle:
+    if not fits_unit(name, unit):
         raise UnitError(
             f"{where}: unit '{text}' is no unit of a {quantity.words}; {quantity.examples} are",
             usually="another quantity is stored under this name, or a '/s' was lost.",

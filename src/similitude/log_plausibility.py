@@ -133,14 +133,14 @@ def check_speed(speed: np.ndarray, *, header: str) -> list[Finding]:
     if still > 0:
         found.append(Finding(
             "standstill", False,
-            f"the car stands (below {STANDSTILL:g} m/s) in {100 * still:.2g} % of the rows: "
+            f"the car stands (below {STANDSTILL:g} m/s) in {100 * still:.3g} % of the rows: "
             "nothing is learnt there", "the drive was recorded with its stops.",
             "similitude identify MOVING_PART.csv", READ, column=header, value=still,
         ))  # fmt: skip
     if back > 0:
         found.append(Finding(
             "reverse", False,
-            f"the speed is negative in {100 * back:.2g} % of the rows (reverse): nothing is learnt there",
+            f"the speed is negative in {100 * back:.3g} % of the rows (reverse): nothing is learnt there",
             "the car was backed, or the axis of the sensor points backward.",
             "similitude identify FORWARD_PART.csv", READ, column=header, value=back,
         ))  # fmt: skip

@@ -28,6 +28,7 @@ LARGE_STEER = 0.03  # rad; an offset of the steer no longer matters, and the mea
 ALIKE = 0.5  # correlation from which the two regressions are within a factor of four
 BEYOND_CHANCE = 5.0  # sd of Fisher's z of unrelated signals with the same spectra
 SMOOTH = 0.5  # correlation of the steer with itself a bin later; below, it is mostly noise
+MIRRORED = 0.97  # correlation at which even a sine, whose phase may be chance, is worth a word
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
@@ -79,6 +80,11 @@ class Relation:
         return alike >= least and float(np.arctanh(alike)) >= BEYOND_CHANCE * self.chance
 
     @property
+    def is_mirrored(self) -> bool:
+        """Whether each is the other's mirror image, alike at no delay: said even of a slalom's sine."""
+        return self.opposite >= MIRRORED and self.same < 0
+
+    @property
     def is_turned(self) -> bool:
         """Whether the sign is opposite, and no delay makes it look the same."""
         return self.counts and self.opposite - self.same >= SIGN_MARGIN
@@ -122,7 +128,7 @@ def check_response(
         relation = relate(values["t"], asked, values["r"], level_counts=True)  # driven in a circle
     if relation is None:
         return found
-    if relation.opposite > relation.same and relation.counts:
+    if relation.opposite > relation.same and (relation.counts or relation.is_mirrored):
         found.append(_sign(relation, columns, file))
     elif wheelbase is not None:
         froude = float(np.nanmean(np.where(moving, values["U"], np.nan) ** 2)) / (GRAVITY * wheelbase)

@@ -177,8 +177,9 @@ def clipped_rows(x: np.ndarray) -> np.ndarray:
     steps = np.abs(np.diff(x))
     step = float(np.nanmin(steps[steps > 0])) if np.any(steps > 0) else 0.0
     extremes = [np.nanmin(x), np.nanmax(x)]
-    if extremes[0] == extremes[1] or np.mean(steps[~np.isin(x[1:], extremes)] == 0) > MOST_TIES:
-        return rows  # held or coarse: values pile up everywhere
+    between = steps[~np.isin(x[1:], extremes)]
+    if not between.size or np.mean(between == 0) > MOST_TIES:
+        return rows  # two values, held or coarse: values pile up everywhere
     for extreme in extremes:
         pile = x == extreme
         near = np.count_nonzero(np.abs(x - extreme) < 3.5 * step) - np.count_nonzero(pile)

@@ -189,6 +189,15 @@ def test_a_compiler_that_makes_no_library_is_an_error_not_a_loop(cache, tmp_path
         load_library(SOURCE, name="probe")
 
 
+def test_a_program_that_is_no_compiler_is_an_error_in_four_parts(cache, monkeypatch):
+    """`true` ends well whatever it is asked, and writes nothing."""
+    monkeypatch.setenv("SIMILITUDE_CC", "true")
+
+    with pytest.raises(CompileError, match=r"true' ended well on probe-.* but wrote no library"):
+        load_library(SOURCE, name="probe")
+    assert not list(cache.glob(".build-*"))
+
+
 @pytest.mark.parametrize("home", ["read-only", "a file", "missing"])
 def test_a_home_that_cannot_be_written_gives_way_to_a_private_directory(cache, tmp_path, monkeypatch, home):
     if home == "read-only" and os.access("/", os.W_OK):

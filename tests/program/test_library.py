@@ -104,7 +104,7 @@ def test_without_a_compiler_the_twin_is_taken_and_one_line_says_why(cache, monke
     source = "int not_even_read;"
     slow = assemble(bicycle.layout, source)
     assert slow.c is None
-    assert "/nowhere/cc" in slow.why_slow and "thousand times slower" in slow.why_slow
+    assert "/nowhere/cc" in slow.why_slow and "hundred times slower" in slow.why_slow
     assert len(slow.why_slow.splitlines()) == 1
 
 

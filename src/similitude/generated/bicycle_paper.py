@@ -6,7 +6,7 @@ unknown: pi3; in proportion to it: pi4
 m1/T = pi1/pi5
 m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
 
-The twin does the operations of the C file in the same order, about a thousand times slower.
+The twin does the operations of the C file in the same order, about a hundred times slower.
 """
 
 NAME = 'bicycle_paper'

@@ -5,7 +5,7 @@ base: m, L, U
 unknowns: K, pi1, eta, rho, grip
 coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
 
-The twin does the operations of the C file in the same order, about a thousand times slower.
+The twin does the operations of the C file in the same order, about a hundred times slower.
 """
 
 NAME = 'saturating_bicycle_population'

@@ -51,7 +51,7 @@ def outlook(plan: Prospects) -> tuple[str, ...]:
     if plan.known_scale < CALIBRATED * plan.K_std:
         lines.append(f"A calibrated road-wheel angle would give {percent(plan.known_scale)}.")
     if plan.too_slow > 0.1:
-        lines.append(f"In {100 * plan.too_slow:.2g} % of the rows the car is too slow for its tyres to show.")
+        lines.append(f"In {100 * plan.too_slow:.3g} % of the rows the car is too slow for its tyres to show.")
     return tuple(lines)
 
 

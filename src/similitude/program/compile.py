@@ -13,6 +13,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import sysconfig
 import tempfile
@@ -146,6 +147,8 @@ def _build(source: str, flags: tuple[str, ...], compiler: Compiler, library: pat
         made = workshop / "library.so"
         arguments = [*flags, "-o", str(made), str(written)]
         run_compiler(compiler.command, arguments, subject=library.name, scratch=library.parent)
+        if not made.is_file():
+            raise _nothing_written(compiler.command, library.name)
         digest = workshop / "digest"
         digest.write_text(hashlib.sha256(made.read_bytes()).hexdigest(), encoding="ascii")
         # Another process may have been faster; its library is as good as ours.
@@ -155,6 +158,15 @@ def _build(source: str, flags: tuple[str, ...], compiler: Compiler, library: pat
     finally:
         shutil.rmtree(workshop, ignore_errors=True)
     return library
+
+
+def _nothing_written(command: tuple[str, ...], subject: str) -> CompileError:
+    return CompileError(
+        f"the C compiler '{shlex.join(command)}' ended well on {subject}, but wrote no library",
+        usually="SIMILITUDE_CC names a program that is no compiler",
+        paste="SIMILITUDE_CC=gcc similitude …",
+        read=READ,
+    )
 
 
 def _digest_file(library: pathlib.Path) -> pathlib.Path:

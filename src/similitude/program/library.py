@@ -157,7 +157,7 @@ def assemble(layout: ModuleType, source: str) -> Library:
         c = load_library(source, name=name)
     except CompileError as error:
         reason = error.what.splitlines()[0]
-        return Library(name, layout, None, f"about a thousand times slower: {reason}")
+        return Library(name, layout, None, f"about a hundred times slower: {reason}")
     getattr(c, f"{name}_init").argtypes = [ctypes.c_void_p] * 2
     batch = getattr(c, f"{name}_batch")
     batch.argtypes = [ctypes.c_void_p] * 2 + [ctypes.c_long] + [ctypes.c_void_p] * 3

@@ -17,7 +17,7 @@ _HEAD = '''\
 
 {provenance}
 
-The twin does the operations of the C file in the same order, about a thousand times slower.
+The twin does the operations of the C file in the same order, about a hundred times slower.
 """
 
 NAME = {name!r}
