@@ -75,6 +75,22 @@ class Batch:
     halves: Mapping[str, float]
 
 
+@dataclass(frozen=True)
+class CrossCheck:
+    """The filter's K against that of an estimator of another kind over the same stretch of the log.
+
+    ``K`` is that of the other, ``population`` the filter's own; ``apart`` = ln of their ratio, ``std`` the sd
+    that it would have if both were right; ``unknowns`` that the drive let the other carry.
+    """
+
+    K: Estimate
+    population: Estimate
+    apart: float
+    std: float
+    unknowns: int
+    structure_error: bool
+
+
 @dataclass(frozen=True, eq=False)
 class Trace:
     """The estimate row by row, (n,) each; ``innovation`` is NaN where nothing was measured."""
@@ -116,6 +132,7 @@ class Run:
     Caf: Estimate | None = None
     alarms: tuple = ()
     batch: Batch | None = None
+    cross_check: CrossCheck | None = None
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:

@@ -102,6 +102,7 @@ def _middle(model: SecondOrder) -> list[Statement]:
         Assign("y", S("output_filtered") - S("output_before")),
         Assign("residual", S("y") - K * S("psi")),
         Assign("innovation", sp.Piecewise((S("residual"), S("usable") > HALF), (0, True))),
+        Assign("predicted", S("y_now") - S("innovation")),
         *ls.excite(K * S("driven")),
         When(learn, tuple(_learn(model)), (), "the band is excited, the filters settled"),
         ls.age(learn, S("forgetting")),

@@ -1,7 +1,7 @@
 """The frame of the ladder's step programs: gates before, status and outputs after, the same for all.
 
-Invariant: ``predicted`` is the measurement less what the estimator's own filters leave unexplained, so
-``innovation`` is that rest; without a usable sample it is zero.
+Invariant: ``innovation`` is what is left unexplained behind the estimator's own filters, zero without a
+usable sample; with one, ``predicted`` is the measurement less that rest.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ def ladder_program(
     name, title : ``<model>_<name>``, and its first words in the C file.
     config, state, variables : the estimator's own fields.
     start : values of the state before the first sample that are not zero.
-    middle : statements between the gates and the memory of the sample; they see ``usable``,
-        ``live``, ``fresh``, ``u_now``, ``y_now``, and assign ``innovation``, ``unknowns``, ``status``.
+    middle : statements between the gates and the memory of the sample; they see ``usable``, ``live``,
+        ``fresh``, ``u_now``, ``y_now``, and assign ``predicted``, ``innovation``, ``unknowns``, ``status``.
     provenance : lines for the head of the C file.
     """
     layout, groups = model.layout, model.reduction.groups
@@ -46,6 +46,7 @@ def ladder_program(
     start = {
         model.target: S(f"{model.target}_start"),
         "log_variance": S("variance_limit"),
+        "blocks": sp.Integer(-1),
         f"last_{model.speed}": S(f"{model.speed}_least"),
         **start,
     }
@@ -90,7 +91,6 @@ def _step(model: SecondOrder, middle: list[Statement]) -> list[Statement]:
                 *scales_now(model),
                 *middle,
                 _seen(),
-                Assign("predicted", S("y_now") - S("innovation")),
                 *remember(),
             ),
             (set_status("bad_sample"),),

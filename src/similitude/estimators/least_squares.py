@@ -39,12 +39,16 @@ def excite(drive: sp.Expr) -> list[Statement]:
 
 
 def score(psi: sp.Expr, residual: sp.Expr) -> list[Statement]:
-    """Add a sample to the block; close the block when it is long enough."""
+    """Add a sample to the block; close the block when it is long enough.
+
+    The first block is not counted: in it the estimate is still on its way.
+    """
     weight, square = S("block_weight"), S("block_score") ** 2
-    kept = S("block_keep")
+    kept, counted = S("block_keep"), S("counted")
     close = (
-        Assign("scatter_sum", kept * S("scatter_sum") + square),
-        Assign("scatter_weight", kept * S("scatter_weight") + weight),
+        Assign("counted", sp.Piecewise((1, S("blocks") > -sp.Rational(1, 2)), (0, True)), "not the first"),
+        Assign("scatter_sum", counted * (kept * S("scatter_sum") + square)),
+        Assign("scatter_weight", counted * (kept * S("scatter_weight") + weight)),
         Assign("blocks", sp.Min(S("blocks") + 1, S("blocks_most"))),
         *(Assign(name, sp.Integer(0)) for name in ("block_score", "block_weight", "block_age")),
     )

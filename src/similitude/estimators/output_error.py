@@ -105,6 +105,7 @@ def _middle(model: SecondOrder) -> list[Statement]:
         Assign("psi", s - S("slope_offset"), "sensitivity without its slow part"),
         Assign("residual", e - S("error_offset"), "error without its slow part"),
         Assign("innovation", sp.Piecewise((S("residual"), S("usable") > HALF), (0, True))),
+        Assign("predicted", S("y_now") - e + S("error_offset"), "the model and its offset"),
         *ls.excite(S("psi")),
         Assign("keep", 1 - sp.Min(HALF, S("dt") * S("forgetting_rate"))),
         When(learn, tuple(_learn(model)), (), "the input excites the unknown"),

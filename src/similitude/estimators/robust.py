@@ -132,6 +132,7 @@ def _middle(model: SecondOrder) -> list[Statement]:
         Assign("residual", S("y") - S("together")),
         When(learn, tuple(_learn(model)), (), "the steer moves, the filters have settled"),
         Assign("innovation", sp.Piecewise((S("residual") / S("corner"), S("usable") > HALF), (0, True))),
+        Assign("predicted", S("y_now") - S("innovation")),
         ls.age(learn, S("forgetting")),
     ]
 

@@ -6,7 +6,7 @@
  *   B1 = -1/(rho*(pi1 - 1))
  *   M2 = -(eta*pi1*rho - eta*pi1 + eta - pi1*rho + pi1 + rho)/(rho*(pi1 - 1))
  *
- * Operations: step 223 at most, 8 at least (arithmetic, comparisons, selects), init 16.
+ * Operations: step 227 at most, 8 at least (arithmetic, comparisons, selects), init 16.
  * Memory: state 39 reals, configuration 50 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -192,7 +192,7 @@ SIMILITUDE_API void bicycle_band_init(const bicycle_band_config *config, bicycle
     block_age = R(0.0);
     scatter_sum = R(0.0);
     scatter_weight = R(0.0);
-    blocks = R(0.0);
+    blocks = (-R(1.0));
     log_variance = variance_limit;
     aged = R(0.0);
     information = R(0.0);
@@ -395,6 +395,7 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
         const bicycle_band_real y = output_filtered - output_before;
         const bicycle_band_real residual = y - K*psi;
         innovation = (usable > R(0.5) ? residual : R(0.0));
+        predicted = y_now - innovation;
         const bicycle_band_real drive = K*driven; /* what the input alone does to the regression */
         excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
         excited = (excitation > excitation_least ? R(1.0) : R(0.0));
@@ -415,8 +416,9 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
                 block_weight = block_weight + (psi*psi);
                 block_age = block_age + dt;
                 if (block_age >= block) { /* the block is full */
-                    scatter_sum = (block_score*block_score) + block_keep*scatter_sum;
-                    scatter_weight = block_weight + block_keep*scatter_weight;
+                    const bicycle_band_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                    scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
+                    scatter_weight = counted*(block_weight + block_keep*scatter_weight);
                     blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
                     block_score = R(0.0);
                     block_weight = R(0.0);
@@ -446,7 +448,6 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
         if (usable > R(0.5)) {
             mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
         }
-        predicted = y_now - innovation;
         last_input = u_now;
         last_measured = y_now;
     } else {

@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_band'
-OPERATIONS = 223
+OPERATIONS = 227
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -136,7 +136,7 @@ def init(config):
     block_age = 0.0
     scatter_sum = 0.0
     scatter_weight = 0.0
-    blocks = 0.0
+    blocks = (-1.0)
     log_variance = variance_limit
     aged = 0.0
     information = 0.0
@@ -322,6 +322,7 @@ def step(config, state, sample):
         y = output_filtered - output_before
         residual = y - K*psi
         innovation = (residual if usable > 0.5 else 0.0)
+        predicted = y_now - innovation
         drive = K*driven  # what the input alone does to the regression
         excitation = excitation + ((drive*drive) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
         excited = (1.0 if excitation > excitation_least else 0.0)
@@ -341,8 +342,9 @@ def step(config, state, sample):
                 block_weight = block_weight + (psi*psi)
                 block_age = block_age + dt
                 if block_age >= block:  # the block is full
-                    scatter_sum = (block_score*block_score) + block_keep*scatter_sum
-                    scatter_weight = block_weight + block_keep*scatter_weight
+                    counted = (1.0 if blocks > (-0.5) else 0.0)  # not the first
+                    scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum)
+                    scatter_weight = counted*(block_weight + block_keep*scatter_weight)
                     blocks = (blocks_most if (blocks_most) < (1.0 + blocks) else 1.0 + blocks)
                     block_score = 0.0
                     block_weight = 0.0
@@ -364,7 +366,6 @@ def step(config, state, sample):
         output_before = output_filtered
         if usable > 0.5:
             mean_square = mean_square + ((innovation*innovation) - mean_square)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
-        predicted = y_now - innovation
         last_input = u_now
         last_measured = y_now
     else:

@@ -5,7 +5,7 @@
  *   unknown: K; frozen: pi1, eta, rho
  *   one implicit step a sample: similitude.sampling
  *
- * Operations: step 400 at most, 8 at least (arithmetic, comparisons, selects), init 22.
+ * Operations: step 405 at most, 8 at least (arithmetic, comparisons, selects), init 22.
  * Memory: state 28 reals, configuration 31 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -184,7 +184,7 @@ SIMILITUDE_API void bicycle_output_error_init(const bicycle_output_error_config 
     block_age = R(0.0);
     scatter_sum = R(0.0);
     scatter_weight = R(0.0);
-    blocks = R(0.0);
+    blocks = (-R(1.0));
     log_variance = variance_limit;
     aged = R(0.0);
     information = R(0.0);
@@ -458,6 +458,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         const bicycle_output_error_real psi = slope - slope_offset; /* sensitivity without its slow part */
         const bicycle_output_error_real residual = error - error_offset; /* error without its slow part */
         innovation = (usable > R(0.5) ? residual : R(0.0));
+        predicted = error_offset + y_now - error; /* the model and its offset */
         const bicycle_output_error_real drive = psi; /* what the input alone does to the regression */
         excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
         excited = (excitation > excitation_least ? R(1.0) : R(0.0));
@@ -478,8 +479,9 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
             block_weight = block_weight + (psi*psi);
             block_age = block_age + dt;
             if (block_age >= block) { /* the block is full */
-                scatter_sum = (block_score*block_score) + block_keep*scatter_sum;
-                scatter_weight = block_weight + block_keep*scatter_weight;
+                const bicycle_output_error_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
+                scatter_weight = counted*(block_weight + block_keep*scatter_weight);
                 blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
                 block_score = R(0.0);
                 block_weight = R(0.0);
@@ -512,7 +514,6 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         if (usable > R(0.5)) {
             mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
         }
-        predicted = y_now - innovation;
         last_input = u_now;
         last_measured = y_now;
     } else {

@@ -8,7 +8,7 @@
  *   K1 = -(eta - 1)/(rho*(pi1 - 1))
  *   K2 = eta/(rho*(pi1 - 1)**2), G2 = eta/(rho*(pi1 - 1)**2)
  *
- * Operations: step 520 at most, 8 at least (arithmetic, comparisons, selects), init 38.
+ * Operations: step 528 at most, 8 at least (arithmetic, comparisons, selects), init 38.
  * Memory: state 50 reals, configuration 37 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -219,7 +219,7 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     block_age = R(0.0);
     scatter_sum = R(0.0);
     scatter_weight = R(0.0);
-    blocks = R(0.0);
+    blocks = (-R(1.0));
     log_variance = variance_limit;
     aged = R(0.0);
     information = R(0.0);
@@ -490,8 +490,9 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                             block_weight = block_weight + (w_3*w_3);
                             block_age = block_age + dt;
                             if (block_age >= block) { /* the block is full */
-                                scatter_sum = (block_score*block_score) + block_keep*scatter_sum;
-                                scatter_weight = block_weight + block_keep*scatter_weight;
+                                const bicycle_robust_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                                scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
+                                scatter_weight = counted*(block_weight + block_keep*scatter_weight);
                                 blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
                                 block_score = R(0.0);
                                 block_weight = R(0.0);
@@ -536,8 +537,9 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                     block_weight = block_weight + (psi*psi);
                     block_age = block_age + dt;
                     if (block_age >= block) { /* the block is full */
-                        scatter_sum = (block_score*block_score) + block_keep*scatter_sum;
-                        scatter_weight = block_weight + block_keep*scatter_weight;
+                        const bicycle_robust_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                        scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
+                        scatter_weight = counted*(block_weight + block_keep*scatter_weight);
                         blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
                         block_score = R(0.0);
                         block_weight = R(0.0);
@@ -559,6 +561,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
             }
         }
         innovation = (usable > R(0.5) ? residual/corner : R(0.0));
+        predicted = y_now - innovation;
         if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* unseen, K may change */
             aged = aged*forgetting;
         } else {
@@ -567,7 +570,6 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
         if (usable > R(0.5)) {
             mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
         }
-        predicted = y_now - innovation;
         last_input = u_now;
         last_measured = y_now;
     } else {
