@@ -1,12 +1,16 @@
 """The population filter checked by an estimator of another kind: `robust` on the same log.
 
-    d = ln K of robust, its frozen groups at what the filter found - ln K of the filter over the same time
-    sd(d)^2 = g' P g + scatter + noise + lag + form + STRUCTURE^2,   g = d(ln K of robust)/dx, -1 for ln K
+    d  = K of robust, its frozen groups at what the filter found, over K of the filter, less one
+    d0 = the same with robust's groups at the population's averages
+    sd^2 of d  = g' P g + own;     sd^2 of d0 = g' P0 g + own,     g = d(ln K of robust)/dx, -1 for ln K
 
-P is the filter's own covariance of (ln K, frozen groups, steer scale), so what both take from the
-population or the steer angle is counted once: an error they share cancels. What is left between two
-estimators that read a log so differently, one its whole response and one its answer to a change of steer,
-is an error of the structure: steer scale, lag, saturated tyres, a wrong wheelbase.
+P is the filter's covariance of (ln K, frozen groups, steer scale), so an error that both share, the steer
+scale's among them, is counted once; P0 has the population's covariance of the groups in place of the
+filter's. ``own`` is robust's scatter, noise and form, the lag's part of the difference, how the filter's K
+moved over the stretch, and `STRUCTURE`.
+
+d asks whether one car explains both the whole response and the answer to a change of steer; d0 whether a
+car of the population does. What either cannot explain is an error of the structure.
 
 Invariant: nothing is said where robust was not carried by the drive.
 """
@@ -26,8 +30,8 @@ from similitude.run import CrossCheck, positive_estimate
 from similitude.vehicle_prior import NAMES
 
 APART = 3.0  # sd of the difference beyond which it is the structure's
-STRUCTURE = 0.04  # of ln K: what two sound estimators may differ by for reasons of discretisation and form
-UNSEEN_LAG = 0.010  # s: sd of a lag that the log does not speak for
+STRUCTURE = 0.015  # of K: what sound estimators differ by for reasons of discretisation and form
+UNSEEN_LAG = 0.010  # s: greatest sd of a lag that the log does not speak for
 LEAST_KNOWN = 0.25  # sd of ln K of robust beyond which it says too little to check anything
 SCALE = "input_scale"
 
@@ -50,42 +54,54 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
     weights = _weights(one)
     if not weights.any():
         return None
-    now = one.ln_K[-1]
-    filtered = float(weights @ np.log(done.output("estimate")) / weights.sum())
+    weights /= weights.sum()
+    along = np.log(done.output("estimate"))
+    filtered = float(weights @ along)
     gradient = np.array([-1.0, *_slopes(one, passes, ready)])
-    P = done.covariance([*NAMES, SCALE])
-    spread = {
-        "both": float(gradient @ P @ gradient),
-        "scatter": float(one.output("variance")[-1]),
-        "noise": (NOISE_DOUBT * (now - passes["noise"].ln_K[-1])) ** 2,
-        "lag": _lag(one, passes, done, ready) ** 2,
-        "form": float(form_error(one)[-1]) ** 2,
-        "structure": STRUCTURE**2,
-    }
-    own = np.sqrt(spread["scatter"] + spread["noise"] + spread["form"])
-    if own > LEAST_KNOWN:
+    ratio = float(np.exp(one.ln_K[-1] - filtered))
+    alone = (
+        float(one.output("variance")[-1])
+        + (NOISE_DOUBT * float(one.ln_K[-1] - passes["noise"].ln_K[-1])) ** 2
+        + float(form_error(one)[-1]) ** 2
+    ) * min(ratio, 1.0) ** 2  # of K of the filter: one that reads next to nothing is sure of that
+    if alone > LEAST_KNOWN**2:
         return None
-    apart, std = float(now - filtered), float(np.sqrt(sum(spread.values())))
-    known = np.sqrt(own**2 + gradient[1:] @ P[1:, 1:] @ gradient[1:])
+    own = alone + _lag(one, passes, done, ready) ** 2 + STRUCTURE**2
+    own += float(weights @ (along - filtered) ** 2)
+    P = done.covariance([*NAMES, SCALE])
+    P0 = P.copy()
+    P0[1:4, 1:4] = ready.prior.covariance[1:, 1:]
+    std, average_std = (float(np.sqrt(gradient @ Q @ gradient + own)) for Q in (P, P0))
+    average = _relative(float(passes["averages"].ln_K[-1]) - filtered)
     taught = one.output("unknowns")
+    within = gradient[1:] @ P[1:, 1:] @ gradient[1:]
+    known = float(np.sqrt(alone / min(ratio, 1.0) ** 2 + within))
     return CrossCheck(
-        K=positive_estimate(float(np.exp(now)), float(known), UNITS["K"]),
+        K=positive_estimate(ratio * float(np.exp(filtered)), known, UNITS["K"]),
         population=positive_estimate(float(np.exp(filtered)), float(np.sqrt(P[0, 0])), UNITS["K"]),
-        apart=apart,
+        apart=_relative(float(np.log(ratio))),
         std=std,
+        average_apart=average,
+        average_std=average_std,
         unknowns=int(taught[taught > 0][-1]),
-        structure_error=abs(apart) > APART * std,
+        structure_error=abs(_relative(float(np.log(ratio)))) > APART * std or abs(average) > APART * average_std,
     )
+
+
+def _relative(away: float) -> float:
+    """A difference of logarithms as a share of the filter's K; upwards it stays the logarithm."""
+    return float(np.expm1(away)) if away < 0 else away
 
 
 def sentence(check: CrossCheck) -> str:
     """What a disagreement means, for people."""
+    groups = "" if abs(check.apart) > APART * check.std else " with the population's average groups"
+    apart, std = (check.average_apart, check.average_std) if groups else (check.apart, check.std)
     return (
-        f"two estimators disagree: the population filter reads K = {check.population.value:.3g} m^2/s^2, a "
-        f"regression on what a change of steer does at once {check.K.value:.3g} ({100 * np.expm1(check.apart):+.0f} "
-        f"%, {abs(check.apart) / check.std:.1f} sd of their difference): an error of the structure, which no "
-        "interval holds; the scale of the steer angle, a steer lag, saturated tyres or a wrong wheelbase are "
-        "the usual causes"
+        f"two estimators disagree: the population filter reads K = {check.population.value:.3g} m^2/s^2; what a "
+        f"change of steer does at once reads {100 * apart:+.0f} % of that{groups}, {abs(apart) / std:.1f} sd of "
+        "their difference. That is an error of the structure, which no interval holds: steer lag, scale of the "
+        "steer angle, saturated tyres or a wrong wheelbase are the usual causes"
     )
 
 
@@ -105,6 +121,7 @@ def _passes(ready: Prepared, done: Pass) -> tuple[RungPass, dict[str, RungPass]]
         "scale up": replace(start, steer_factor=scale),
         "scale down": replace(start, steer_factor=1 / scale),
         "lag": start.at_lag(ready.scan.chosen + _lag_sd(ready)),
+        "averages": replace(start, prior=ready.prior),
     }
     ends = side_by_side([each.run for each in changed.values()])
     passes = dict(zip(changed, ends, strict=True))
@@ -132,9 +149,15 @@ def _slopes(one: RungPass, passes: dict[str, RungPass], ready: Prepared) -> NDAr
 
 
 def _lag_sd(ready: Prepared) -> float:
-    if ready.scan.origin == "assumed":
-        return UNSEEN_LAG
-    return max(ready.scan.std, 1e-4)
+    """Sd of the lag [s]; of one that the log does not speak for, as the scan's cost rises from none."""
+    scan = ready.scan
+    if scan.origin != "assumed":
+        return max(scan.std, 1e-4)
+    chance = np.exp(-(scan.cost - scan.cost.min()))
+    wide = float(np.sqrt(chance @ scan.lags**2 / chance.sum()))
+    rise = float(scan.cost[1] - scan.cost[0])
+    narrow = float(scan.lags[1]) / np.sqrt(2 * rise) if rise > 0 else np.inf
+    return min(max(wide, narrow) if np.isfinite(narrow) else wide, UNSEEN_LAG)
 
 
 def _lag(one: RungPass, passes: dict[str, RungPass], done: Pass, ready: Prepared) -> float:

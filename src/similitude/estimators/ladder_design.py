@@ -48,6 +48,7 @@ OUTPUT_ERROR = {
     "gap": 1.0,  # s
 }
 ROBUST = {
+    "offset_rate": 0.3,  # 1/s: slow against steering
     "signal_least": 1.0,
     "pivot_least": 1e-4,
     "move_limit": 0.1,

@@ -1,6 +1,7 @@
 """State-variable filters and four unknowns: K from what a change of steer does at once.
 
-Every signal passes the same (corner/(s + corner))^4, whose stages give derivatives without differencing:
+Every signal passes the same high-pass, slow against steering, that takes the offsets of steer and gyro out,
+and the same (corner/(s + corner))^4, whose stages give derivatives without differencing:
 
     y = r''_f = a1 psi1 + a2 psi2 + a3 psi3 + a4 psi4 + e
     psi1 = B1 s1 u'_f    psi2 = -M2 s2 r'_f    psi3 = -s3 r_f    psi4 = s4 (G2 u_f - K2 r_f)
@@ -64,6 +65,7 @@ def robust_regression(reduction: Reduction, *, unknown: str = "pi3") -> Program:
         config=(
             Field("sample_time", "s", "sample time the filters are designed for"),
             Field("corner", "1/s", "corner of the four stages"),
+            Field("offset_rate", "1/s", "rate at which offsets are followed and taken out"),
             Field("forgetting", "-", "share of the past kept at each update"),
             Field("noise_variance", f"({o.unit})^2", f"variance of {o.name} a sample that is taken out"),
             *(Field(f"noise_{m}", "-", f"moment of filtered unit noise: {m}") for m in MOMENTS),
@@ -75,6 +77,8 @@ def robust_regression(reduction: Reduction, *, unknown: str = "pi3") -> Program:
             *(Field(n, "-", text) for n, text, _ in _gains(model)),
             Field("stage_keep", "-", "weight of a stage's own past"),
             Field("stage_share", "-", "weight of each end of what comes in"),
+            Field("input_offset", i.unit, f"slow part of {i.name}"),
+            Field("output_offset", o.unit, f"slow part of {o.name}"),
             Field("input_stage", i.unit, f"{i.name} and its four stages", STAGES + 1),
             Field("output_stage", o.unit, f"{o.name} and its four stages", STAGES + 1),
             Field("scale_stage", signal.unit, f"{signal.meaning} as late as the stages are"),
@@ -122,8 +126,13 @@ def _middle(model: SecondOrder) -> list[Statement]:
     K = S(model.target)
     together = sp.Add(*(g * S(f"psi_{i}") for i, g in zip((1, 2, 3, 4), _car(model), strict=True)))
     return [
-        *_stages("input", S("u_now")),
-        *_stages("output", S("y_now")),
+        Assign("slowly", sp.Min(1, S("dt") * S("offset_rate"))),
+        Assign("input_offset", S("input_offset") + S("slowly") * (S("u_now") - S("input_offset"))),
+        Assign("output_offset", S("output_offset") + S("slowly") * (S("y_now") - S("output_offset"))),
+        Assign("input_0", S("u_now") - S("input_offset")),
+        Assign("output_0", S("y_now") - S("output_offset")),
+        *_stages("input", S("input_0")),
+        *_stages("output", S("output_0")),
         *_late_scale(model),
         *_regressors(model),
         Assign("carried", sp.Integer(0)),

@@ -8,8 +8,8 @@
  *   K1 = -(eta - 1)/(rho*(pi1 - 1))
  *   K2 = eta/(rho*(pi1 - 1)**2), G2 = eta/(rho*(pi1 - 1)**2)
  *
- * Operations: step 528 at most, 8 at least (arithmetic, comparisons, selects), init 38.
- * Memory: state 50 reals, configuration 37 reals; no heap, no globals, no libm, C99.
+ * Operations: step 540 at most, 8 at least (arithmetic, comparisons, selects), init 38.
+ * Memory: state 52 reals, configuration 38 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -54,6 +54,7 @@ typedef struct bicycle_robust_config {
     bicycle_robust_real rho;                         /* [-] frozen Iz/(m a b), yaw inertia ratio */
     bicycle_robust_real sample_time;                 /* [s] sample time the filters are designed for */
     bicycle_robust_real corner;                      /* [1/s] corner of the four stages */
+    bicycle_robust_real offset_rate;                 /* [1/s] rate at which offsets are followed and taken out */
     bicycle_robust_real forgetting;                  /* [-] share of the past kept at each update */
     bicycle_robust_real noise_variance;              /* [(rad/s)^2] variance of r a sample that is taken out */
     bicycle_robust_real noise_value;                 /* [-] moment of filtered unit noise: value */
@@ -96,6 +97,8 @@ typedef struct bicycle_robust_state {
     bicycle_robust_real pair_input;                  /* [-] G2 */
     bicycle_robust_real stage_keep;                  /* [-] weight of a stage's own past */
     bicycle_robust_real stage_share;                 /* [-] weight of each end of what comes in */
+    bicycle_robust_real input_offset;                /* [rad] slow part of delta */
+    bicycle_robust_real output_offset;               /* [rad/s] slow part of r */
     bicycle_robust_real input_stage[5];              /* [rad] delta and its four stages */
     bicycle_robust_real output_stage[5];             /* [rad/s] r and its four stages */
     bicycle_robust_real scale_stage;                 /* [m/s] forward speed as late as the stages are */
@@ -163,11 +166,13 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     bicycle_robust_real fresh;
     bicycle_robust_real information;
     bicycle_robust_real input_gain;
+    bicycle_robust_real input_offset;
     bicycle_robust_real last_U;
     bicycle_robust_real last_input;
     bicycle_robust_real last_measured;
     bicycle_robust_real log_variance;
     bicycle_robust_real mean_square;
+    bicycle_robust_real output_offset;
     bicycle_robust_real pair_input;
     bicycle_robust_real pair_output;
     bicycle_robust_real scale_stage;
@@ -186,6 +191,8 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     pair_input = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
     stage_keep = (R(2.0) - corner*sample_time)/((R(2.0) + corner*sample_time));
     stage_share = corner*sample_time/((R(2.0) + corner*sample_time));
+    input_offset = R(0.0);
+    output_offset = R(0.0);
     input_stage[0] = R(0.0);
     input_stage[1] = R(0.0);
     input_stage[2] = R(0.0);
@@ -236,6 +243,8 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     state->pair_input = pair_input;
     state->stage_keep = stage_keep;
     state->stage_share = stage_share;
+    state->input_offset = input_offset;
+    state->output_offset = output_offset;
     state->scale_stage = scale_stage;
     state->weight = weight;
     state->excitation = excitation;
@@ -263,6 +272,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     const bicycle_robust_real L = config->L;
     const bicycle_robust_real sample_time = config->sample_time;
     const bicycle_robust_real corner = config->corner;
+    const bicycle_robust_real offset_rate = config->offset_rate;
     const bicycle_robust_real forgetting = config->forgetting;
     const bicycle_robust_real noise_variance = config->noise_variance;
     const bicycle_robust_real noise_value = config->noise_value;
@@ -308,6 +318,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     bicycle_robust_real pair_input = state->pair_input;
     bicycle_robust_real stage_keep = state->stage_keep;
     bicycle_robust_real stage_share = state->stage_share;
+    bicycle_robust_real input_offset = state->input_offset;
+    bicycle_robust_real output_offset = state->output_offset;
     bicycle_robust_real scale_stage = state->scale_stage;
     bicycle_robust_real weight = state->weight;
     bicycle_robust_real excitation = state->excitation;
@@ -388,8 +400,13 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
         const bicycle_robust_real at_U = last_U;
         const bicycle_robust_real inv_U = (R(1.0)/at_U);
         const bicycle_robust_real inv_L = (R(1.0)/L);
-        const bicycle_robust_real input_1 = input_stage[1]*stage_keep + stage_share*(input_stage[0] + u_now);
-        input_stage[0] = u_now;
+        const bicycle_robust_real slowly = ((R(1.0)) < (dt*offset_rate) ? R(1.0) : dt*offset_rate);
+        input_offset = input_offset + slowly*(u_now - input_offset);
+        output_offset = output_offset + slowly*(y_now - output_offset);
+        const bicycle_robust_real input_0 = u_now - input_offset;
+        const bicycle_robust_real output_0 = y_now - output_offset;
+        const bicycle_robust_real input_1 = input_stage[1]*stage_keep + stage_share*(input_0 + input_stage[0]);
+        input_stage[0] = input_0;
         const bicycle_robust_real input_2 = input_stage[2]*stage_keep + stage_share*(input_1 + input_stage[1]);
         input_stage[1] = input_1;
         const bicycle_robust_real input_3 = input_stage[3]*stage_keep + stage_share*(input_2 + input_stage[2]);
@@ -397,8 +414,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
         const bicycle_robust_real input_4 = input_stage[4]*stage_keep + stage_share*(input_3 + input_stage[3]);
         input_stage[3] = input_3;
         input_stage[4] = input_4;
-        const bicycle_robust_real output_1 = output_stage[1]*stage_keep + stage_share*(output_stage[0] + y_now);
-        output_stage[0] = y_now;
+        const bicycle_robust_real output_1 = output_stage[1]*stage_keep + stage_share*(output_0 + output_stage[0]);
+        output_stage[0] = output_0;
         const bicycle_robust_real output_2 = output_stage[2]*stage_keep + stage_share*(output_1 + output_stage[1]);
         output_stage[1] = output_1;
         const bicycle_robust_real output_3 = output_stage[3]*stage_keep + stage_share*(output_2 + output_stage[2]);
@@ -581,6 +598,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     information_gained = information;
 
     state->K = K;
+    state->input_offset = input_offset;
+    state->output_offset = output_offset;
     state->scale_stage = scale_stage;
     state->weight = weight;
     state->excitation = excitation;

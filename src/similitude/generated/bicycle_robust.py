@@ -12,7 +12,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_robust'
-OPERATIONS = 528
+OPERATIONS = 540
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -23,6 +23,7 @@ CONFIG = (
     ('rho', '-', 'frozen Iz/(m a b), yaw inertia ratio', 1),
     ('sample_time', 's', 'sample time the filters are designed for', 1),
     ('corner', '1/s', 'corner of the four stages', 1),
+    ('offset_rate', '1/s', 'rate at which offsets are followed and taken out', 1),
     ('forgetting', '-', 'share of the past kept at each update', 1),
     ('noise_variance', '(rad/s)^2', 'variance of r a sample that is taken out', 1),
     ('noise_value', '-', 'moment of filtered unit noise: value', 1),
@@ -65,6 +66,8 @@ STATE = (
     ('pair_input', '-', 'G2', 1),
     ('stage_keep', '-', "weight of a stage's own past", 1),
     ('stage_share', '-', 'weight of each end of what comes in', 1),
+    ('input_offset', 'rad', 'slow part of delta', 1),
+    ('output_offset', 'rad/s', 'slow part of r', 1),
     ('input_stage', 'rad', 'delta and its four stages', 5),
     ('output_stage', 'rad/s', 'r and its four stages', 5),
     ('scale_stage', 'm/s', 'forward speed as late as the stages are', 1),
@@ -114,9 +117,9 @@ def init(config):
     rho = config[3]
     sample_time = config[4]
     corner = config[5]
-    K_start = config[17]
-    variance_limit = config[26]
-    U_least = config[31]
+    K_start = config[18]
+    variance_limit = config[27]
+    U_least = config[32]
     K = K_start
     input_gain = (-1.0/(rho*(pi1 - 1.0)))
     damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - 1.0)))
@@ -125,6 +128,8 @@ def init(config):
     pair_input = eta/(rho*((pi1 - 1.0)*(pi1 - 1.0)))
     stage_keep = (2.0 - corner*sample_time)/((2.0 + corner*sample_time))
     stage_share = corner*sample_time/((2.0 + corner*sample_time))
+    input_offset = 0.0
+    output_offset = 0.0
     input_stage_0 = 0.0
     input_stage_1 = 0.0
     input_stage_2 = 0.0
@@ -167,7 +172,7 @@ def init(config):
     last_U = U_least
     fresh = 0.0
     started = 0.0
-    return [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
+    return [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
 
 
 def step(config, state, sample):
@@ -175,35 +180,36 @@ def step(config, state, sample):
     L = config[0]
     sample_time = config[4]
     corner = config[5]
-    forgetting = config[6]
-    noise_variance = config[7]
-    noise_value = config[8]
-    noise_rate = config[9]
-    noise_value_rate = config[11]
-    noise_value_change = config[12]
-    noise_rate_change = config[13]
-    signal_least = config[14]
-    pivot_least = config[15]
-    move_limit = config[16]
-    K_low = config[18]
-    K_high = config[19]
-    excitation_least = config[20]
-    excitation_rate = config[21]
-    block = config[22]
-    block_keep = config[23]
-    blocks_most = config[24]
-    scatter_low = config[25]
-    variance_limit = config[26]
-    idle_drift = config[27]
-    settle_samples = config[28]
-    dt_low = config[29]
-    dt_high = config[30]
-    U_least = config[31]
-    input_limit = config[32]
-    output_limit = config[33]
-    output_jump = config[34]
-    signal_limit = config[35]
-    validity_limit = config[36]
+    offset_rate = config[6]
+    forgetting = config[7]
+    noise_variance = config[8]
+    noise_value = config[9]
+    noise_rate = config[10]
+    noise_value_rate = config[12]
+    noise_value_change = config[13]
+    noise_rate_change = config[14]
+    signal_least = config[15]
+    pivot_least = config[16]
+    move_limit = config[17]
+    K_low = config[19]
+    K_high = config[20]
+    excitation_least = config[21]
+    excitation_rate = config[22]
+    block = config[23]
+    block_keep = config[24]
+    blocks_most = config[25]
+    scatter_low = config[26]
+    variance_limit = config[27]
+    idle_drift = config[28]
+    settle_samples = config[29]
+    dt_low = config[30]
+    dt_high = config[31]
+    U_least = config[32]
+    input_limit = config[33]
+    output_limit = config[34]
+    output_jump = config[35]
+    signal_limit = config[36]
+    validity_limit = config[37]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -216,48 +222,50 @@ def step(config, state, sample):
     pair_input = state[5]
     stage_keep = state[6]
     stage_share = state[7]
-    input_stage_0 = state[8]
-    input_stage_1 = state[9]
-    input_stage_2 = state[10]
-    input_stage_3 = state[11]
-    input_stage_4 = state[12]
-    output_stage_0 = state[13]
-    output_stage_1 = state[14]
-    output_stage_2 = state[15]
-    output_stage_3 = state[16]
-    output_stage_4 = state[17]
-    scale_stage = state[18]
-    A_0 = state[19]
-    A_1 = state[20]
-    A_2 = state[21]
-    A_3 = state[22]
-    A_4 = state[23]
-    A_5 = state[24]
-    A_6 = state[25]
-    A_7 = state[26]
-    A_8 = state[27]
-    A_9 = state[28]
-    q_0 = state[29]
-    q_1 = state[30]
-    q_2 = state[31]
-    q_3 = state[32]
-    weight = state[33]
-    excitation = state[34]
-    mean_square = state[35]
-    block_score = state[36]
-    block_weight = state[37]
-    block_age = state[38]
-    scatter_sum = state[39]
-    scatter_weight = state[40]
-    blocks = state[41]
-    log_variance = state[42]
-    aged = state[43]
-    information = state[44]
-    last_input = state[45]
-    last_measured = state[46]
-    last_U = state[47]
-    fresh = state[48]
-    started = state[49]
+    input_offset = state[8]
+    output_offset = state[9]
+    input_stage_0 = state[10]
+    input_stage_1 = state[11]
+    input_stage_2 = state[12]
+    input_stage_3 = state[13]
+    input_stage_4 = state[14]
+    output_stage_0 = state[15]
+    output_stage_1 = state[16]
+    output_stage_2 = state[17]
+    output_stage_3 = state[18]
+    output_stage_4 = state[19]
+    scale_stage = state[20]
+    A_0 = state[21]
+    A_1 = state[22]
+    A_2 = state[23]
+    A_3 = state[24]
+    A_4 = state[25]
+    A_5 = state[26]
+    A_6 = state[27]
+    A_7 = state[28]
+    A_8 = state[29]
+    A_9 = state[30]
+    q_0 = state[31]
+    q_1 = state[32]
+    q_2 = state[33]
+    q_3 = state[34]
+    weight = state[35]
+    excitation = state[36]
+    mean_square = state[37]
+    block_score = state[38]
+    block_weight = state[39]
+    block_age = state[40]
+    scatter_sum = state[41]
+    scatter_weight = state[42]
+    blocks = state[43]
+    log_variance = state[44]
+    aged = state[45]
+    information = state[46]
+    last_input = state[47]
+    last_measured = state[48]
+    last_U = state[49]
+    fresh = state[50]
+    started = state[51]
     carried = 0.0
     edge = 0.0
     estimate = 0.0
@@ -313,8 +321,13 @@ def step(config, state, sample):
         at_U = last_U
         inv_U = (1.0/at_U)
         inv_L = (1.0/L)
-        input_1 = input_stage_1*stage_keep + stage_share*(input_stage_0 + u_now)
-        input_stage_0 = u_now
+        slowly = (1.0 if (1.0) < (dt*offset_rate) else dt*offset_rate)
+        input_offset = input_offset + slowly*(u_now - input_offset)
+        output_offset = output_offset + slowly*(y_now - output_offset)
+        input_0 = u_now - input_offset
+        output_0 = y_now - output_offset
+        input_1 = input_stage_1*stage_keep + stage_share*(input_0 + input_stage_0)
+        input_stage_0 = input_0
         input_2 = input_stage_2*stage_keep + stage_share*(input_1 + input_stage_1)
         input_stage_1 = input_1
         input_3 = input_stage_3*stage_keep + stage_share*(input_2 + input_stage_2)
@@ -322,8 +335,8 @@ def step(config, state, sample):
         input_4 = input_stage_4*stage_keep + stage_share*(input_3 + input_stage_3)
         input_stage_3 = input_3
         input_stage_4 = input_4
-        output_1 = output_stage_1*stage_keep + stage_share*(output_stage_0 + y_now)
-        output_stage_0 = y_now
+        output_1 = output_stage_1*stage_keep + stage_share*(output_0 + output_stage_0)
+        output_stage_0 = output_0
         output_2 = output_stage_2*stage_keep + stage_share*(output_1 + output_stage_1)
         output_stage_1 = output_1
         output_3 = output_stage_3*stage_keep + stage_share*(output_2 + output_stage_2)
@@ -484,5 +497,5 @@ def step(config, state, sample):
     estimate = K
     variance = (variance_limit if (variance_limit) < (aged + log_variance) else aged + log_variance)
     information_gained = information
-    state[:] = [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
+    state[:] = [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, unknowns]
