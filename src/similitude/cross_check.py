@@ -33,6 +33,7 @@ APART = 3.0  # sd of the difference beyond which it is the structure's
 STRUCTURE = 0.015  # of K: what sound estimators differ by for reasons of discretisation and form
 UNSEEN_LAG = 0.010  # s: greatest sd of a lag that the log does not speak for
 LEAST_KNOWN = 0.25  # sd of ln K of robust beyond which it says too little to check anything
+RATE = 100.0  # Hz: quicker logs are averaged, a car's yaw motion does not notice
 SCALE = "input_scale"
 
 
@@ -50,12 +51,13 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
     """
     if ready.setup.library.why_slow:
         return None
+    ready = replace(ready, setup=ready.setup.at_rate(RATE))
     one, passes = _passes(ready, done)
     weights = _weights(one)
     if not weights.any():
         return None
     weights /= weights.sum()
-    along = np.log(done.output("estimate"))
+    along = np.interp(ready.setup.log.t, done.setup.log.t, np.log(done.output("estimate")))
     filtered = float(weights @ along)
     gradient = np.array([-1.0, *_slopes(one, passes, ready)])
     ratio = float(np.exp(one.ln_K[-1] - filtered))
@@ -162,7 +164,7 @@ def _lag_sd(ready: Prepared) -> float:
 
 def _lag(one: RungPass, passes: dict[str, RungPass], done: Pass, ready: Prepared) -> float:
     """How the difference moves with the lag, for one sd of it."""
-    later = ready.setup.with_lag(ready.scan.chosen + _lag_sd(ready), ready.setup.input_scale_sd).run()
+    later = done.setup.with_lag(ready.scan.chosen + _lag_sd(ready), ready.setup.input_scale_sd).run()
     moved = np.log(later.output("estimate")[-1] / done.output("estimate")[-1])
     return float(passes["lag"].ln_K[-1] - one.ln_K[-1] - moved)
 

@@ -120,9 +120,8 @@ def doubts(done: RungPass, scan: LagScan) -> dict[str, NDArray[np.float64]]:
     pairs["steer_scale"] = (replace(one, steer_factor=scale), replace(one, steer_factor=1 / scale))
     if scan.std > 0:
         pairs["steer_lag"] = (one.at_lag(scan.chosen + scan.std), one.at_lag(scan.chosen - scan.std))
-    runs = [each.run for pair in pairs.values() for each in pair]
-    ends = side_by_side(runs)
-    halves = {name: np.abs(ends[2 * i].ln_K - ends[2 * i + 1].ln_K) / 2 for i, name in enumerate(pairs)}
+    ends = side_by_side([lambda each=each: each.run().ln_K for pair in pairs.values() for each in pair])
+    halves = {name: np.abs(ends[2 * i] - ends[2 * i + 1]) / 2 for i, name in enumerate(pairs)}
     frozen = np.sqrt(sum(halves[name] ** 2 for name in halves if name.startswith("frozen")))
     found = {"scatter": np.sqrt(done.output("variance")), "frozen": frozen}
     found |= {name: halves[name] for name in ("steer_scale", "steer_lag") if name in halves}

@@ -26,7 +26,7 @@ def eliminated(
     psi: Sequence[sp.Expr],
     least: Sequence[sp.Expr],
     then: tuple[Statement, ...],
-) -> Statement:
+) -> tuple[Statement, ...]:
     """Guards and statements that solve the system and, where every pivot is sound, run ``then``.
 
     Parameters
@@ -56,6 +56,3 @@ def eliminated(
         text = "every unknown is carried" if i == n - 1 else ""
         inner = (*lines, When(S(f"d_{i}") > least[i], sound, (), text))
     return inner
-
-
-__all__ = ["eliminated"]

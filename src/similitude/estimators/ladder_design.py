@@ -25,6 +25,7 @@ MEMORY = 20.0  # s of excited driving: 90 % of a change is followed in 46 s, as 
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 EXCITATION_RATIO = 0.045  # mean square of the drive against the noise's: that of the population filter
 SCATTER_SHARE = 1e-3  # of the sensor's own variance: no residual is quieter
+SLOW_PI3 = 10.0  # beyond this pi3 the tyres do not show
 LIMIT_SD = 3.0  # of ln K, prior and ...
 ROOM = 0.5  # ... room for a halved stiffness, together
 
@@ -34,7 +35,6 @@ DESIGN = {
     "blocks_most": 10.0,
     "variance_limit": 1.0,  # of ln K: a factor e either way is nothing known
     "idle_drift": 2e-3,  # 1/s: unheard, tyre and road may change within minutes
-    "U_least": 2.0,  # m/s
     "input_limit": 1.3,  # rad
     "output_limit": 12.0,  # rad/s
     "signal_limit": 150.0,  # m/s
@@ -98,6 +98,7 @@ def ladder_config(
     values |= {
         "L": L,
         "K_start": start,
+        "U_least": math.sqrt(start / SLOW_PI3),
         "K_low": start * math.exp(-width),
         "K_high": start * math.exp(width),
         "block_keep": math.exp(-1.0 / DESIGN["blocks_most"]),
