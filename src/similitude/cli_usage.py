@@ -130,8 +130,7 @@ def check_estimator(name: str) -> None:
         return
     near = difflib.get_close_matches(name, ESTIMATORS, n=1)
     raise UsageError(
-        f"--estimator '{name}' is not known; "
-        f"there are {' and '.join(ESTIMATORS)}",
+        f"--estimator '{name}' is not known; there are {' and '.join(ESTIMATORS)}",
         usually="the default is what is wanted: the population filter, which needs no tuning.",
         paste=f"--estimator {near[0] if near else ESTIMATORS[0]}",
         read='docs/identify.md, "The command"',

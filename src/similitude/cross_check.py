@@ -86,7 +86,8 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
         average_apart=average,
         average_std=average_std,
         unknowns=int(taught[taught > 0][-1]),
-        structure_error=abs(_relative(float(np.log(ratio)))) > APART * std or abs(average) > APART * average_std,
+        structure_error=abs(_relative(float(np.log(ratio)))) > APART * std
+        or abs(average) > APART * average_std,
     )
 
 
@@ -100,10 +101,10 @@ def sentence(check: CrossCheck) -> str:
     groups = "" if abs(check.apart) > APART * check.std else " with the population's average groups"
     apart, std = (check.average_apart, check.average_std) if groups else (check.apart, check.std)
     return (
-        f"two estimators disagree: the population filter reads K = {check.population.value:.3g} m^2/s^2; what a "
-        f"change of steer does at once reads {100 * apart:+.0f} % of that{groups}, {abs(apart) / std:.1f} sd of "
-        "their difference. That is an error of the structure, which no interval holds: steer lag, scale of the "
-        "steer angle, saturated tyres or a wrong wheelbase are the usual causes"
+        f"two estimators disagree: the population filter reads K = {check.population.value:.3g} m^2/s^2; "
+        f"what a change of steer does at once reads {100 * apart:+.0f} % of that{groups}, "
+        f"{abs(apart) / std:.1f} sd of their difference. That is an error of the structure, which no "
+        "interval holds: steer lag, scale of the steer angle or a wrong wheelbase are the usual causes"
     )
 
 

@@ -92,8 +92,8 @@ def _warnings(ready: Prepared, done: RungPass, found: dict[str, NDArray[np.float
     elif done.rung.library.name == "bicycle_robust" and (unknowns[learnt] < 2).any():
         share = float(np.mean(unknowns[learnt] < 2))
         lines.append(
-            f"in {100 * share:.0f} % of the rows that taught, the steer carried one unknown only: there K rests "
-            "on the frozen groups more than four unknowns would make it; quicker steering carries four"
+            f"in {100 * share:.0f} % of the rows that taught, the steer carried one unknown only: K then "
+            "rests on all frozen groups, not on two; steering that is less of one frequency carries four"
         )
     if ready.commanded:
         lines.append(
@@ -133,7 +133,9 @@ def _assumed(ready: Prepared, estimator: str, found: dict[str, NDArray[np.float6
         },
         "robust": {"state_filter": Assumed(design.STATE_FILTER, "rad/s", "design constant of the estimator")},
     }
-    own = {f"doubt_{name}": Assumed(float(part[-1]), "-", f"sd of ln K: {WORDS[name]}") for name, part in
-           found.items()}
+    own = {
+        f"doubt_{name}": Assumed(float(part[-1]), "-", f"sd of ln K: {WORDS[name]}")
+        for name, part in found.items()
+    }
     memory = Assumed(design.MEMORY, "s", "design constant of the estimator, of excited driving")
     return assumed_of(ready) | {"memory": memory} | filters.get(estimator, {}) | own

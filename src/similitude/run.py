@@ -79,8 +79,8 @@ class Batch:
 class CrossCheck:
     """The filter's K against that of an estimator of another kind over the same stretch of the log.
 
-    ``K`` is that of the other, ``population`` the filter's own; ``apart`` is their difference as a share of it,
-    ``std`` the sd that it would have if both were right; ``average_apart`` and ``average_std`` the same
+    ``K`` is that of the other, ``population`` the filter's own; ``apart`` is their difference as a share
+    of it, ``std`` the sd that it would have if both were right; ``average_apart`` and ``average_std`` the same
     with the other's groups at the population's averages; ``unknowns`` that the drive let the other carry.
     """
 

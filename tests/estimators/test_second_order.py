@@ -28,7 +28,9 @@ def test_the_coefficients_are_those_of_the_car_s_transfer_function():
     b, a, rear, J = p2 * L, p1 * L, f * eta * p1 / p2, rho * p1 * p2 * L * L
     A = [[-(f + rear) / U, (b * rear - a * f) / U - U],
          [(b * rear - a * f) / (J * U), -(a * a * f + b * b * rear) / (J * U)]]  # fmt: skip
-    over, under = signal.ss2tf(np.array(A), np.array([[f], [a * f / J]]), np.array([[0, 1.0]]), np.zeros((1, 1)))
+    over, under = signal.ss2tf(
+        np.array(A), np.array([[f], [a * f / J]]), np.array([[0, 1.0]]), np.zeros((1, 1))
+    )
 
     assert K * number(found.input_gain * found.per_input_rate) == pytest.approx(over[0, 1], rel=1e-10)
     assert K**2 * number(found.pair_input * found.per_pair_input) == pytest.approx(over[0, 2], rel=1e-10)

@@ -21,7 +21,9 @@ HIGH_PASS = 45.0  # rad/s, as the paper's: a lower one lets in the slow part tha
 LOW_PASS = 90.0  # rad/s: 60 to 120 read within 1 % of one another at 0.5 deg/s, see docs/estimators.md
 STATE_FILTER = 40.0  # rad/s, above a car's yaw dynamics, below the noise
 SETTLING = 10.0  # time constants that filters are given before they teach
-MEMORY = 20.0  # s of excited driving: 90 % of a change is followed in 46 s, as by the paper's 0.99995 at 1 kHz
+MEMORY = (
+    20.0  # s of excited driving: 90 % of a change is followed in 46 s, as by the paper's 0.99995 at 1 kHz
+)
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 EXCITATION_RATIO = 0.045  # mean square of the drive against the noise's: that of the population filter
 SCATTER_SHARE = 1e-3  # of the sensor's own variance: no residual is quieter
@@ -42,6 +44,7 @@ DESIGN = {
 }
 OUTPUT_ERROR = {
     "observer_rate": 0.3,  # 1/s: slow against steering, so that the sensitivity is that of the model
+    "observer_margin": 4.0,  # 1/s^2: a stable car has 10 and more
     "offset_rate": 0.3,  # 1/s, the same
     "state_limit": 1.0,  # [-]: a sideslip of a radian, a corner of one wheelbase radius
     "move_limit": 0.1,
@@ -49,8 +52,9 @@ OUTPUT_ERROR = {
 }
 ROBUST = {
     "offset_rate": 0.3,  # 1/s: slow against steering
-    "signal_least": 1.0,
-    "pivot_least": 1e-4,
+    "signal_least": 10.0,
+    "signal_least_one": 1.0,
+    "pivot_least": 3e-4,
     "move_limit": 0.1,
 }
 BAND = {"signal_least": 0.1}

@@ -47,7 +47,7 @@ def output_error_method(reduction: Reduction, *, unknown: str = "pi3") -> Progra
     L. Ljung, T. Soderstrom, Theory and Practice of Recursive Identification (1983), chapter 3.
     """
     model = second_order(reduction, unknown=unknown)
-    i, o = model.layout.input, model.layout.output
+    o = model.layout.output
     states = [Field(name, "-", "dimensionless state of the model") for name in model.layout.fast]
     states += [Field(f"{name}_slope", "-", "its sensitivity to the logarithm") for name in model.layout.fast]
     return ladder_program(
@@ -59,6 +59,7 @@ def output_error_method(reduction: Reduction, *, unknown: str = "pi3") -> Progra
             Field("noise_variance", f"({o.unit})^2", f"variance of {o.name} a sample, > 0"),
             Field("start_variance", "-", f"variance of ln {model.target} before the first update, > 0"),
             Field("observer_rate", "1/s", "pull of the model towards the measurement"),
+            Field("observer_margin", "1/s^2", "stiffness of the motion below which the pull is raised"),
             Field("offset_rate", "1/s", "rate at which offsets are followed and taken out"),
             Field("state_limit", "-", "greatest dimensionless state"),
             Field("move_limit", "-", f"greatest move of ln {model.target} in one sample"),
@@ -73,9 +74,7 @@ def output_error_method(reduction: Reduction, *, unknown: str = "pi3") -> Progra
             Field("error_offset", o.unit, "slow part of the error"),
             Field("slope_offset", o.unit, "slow part of the sensitivity"),
         ),
-        variables=(
-            Field("anew", "-", "1 where the model starts anew"),
-        ),
+        variables=(Field("anew", "-", "1 where the model starts anew"),),
         start={
             "A": S("noise_variance") / S("start_variance"),
             "damping": model.damping,
@@ -176,11 +175,12 @@ def _observe(model: SecondOrder) -> list[Statement]:
     """Pull the model towards the measurement, harder where the car is unstable.
 
     An unstable car has a negative stiffness c of y'' + d y' + c y; a pull g makes it c + g d_other, with
-    d_other, the other state's own decay, about half of d. The pull is twice what holds it.
+    d_other, the other state's own decay, about half of d. The pull is twice what brings c up to
+    a margin, so that it is there before the model, whose K is still on its way, is as unstable as the car.
     """
     layout, K = model.layout, S(model.target)
     name, into = f"{layout.output.name}_star", S("inv_output_scale")
-    pull = S("observer_rate") + 4 * sp.Max(0, -S("held")) / S("damped")
+    pull = S("observer_rate") + 4 * sp.Max(0, S("observer_margin") - S("held")) / S("damped")
     return [
         Assign("damped", K * S("damping") * layout.inverted(model.per_rate)),
         Assign(

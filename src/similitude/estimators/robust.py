@@ -18,6 +18,8 @@ Invariant: nothing is divided by a pivot that noise alone could have made.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from similitude.estimators import least_squares as ls
@@ -32,6 +34,7 @@ from similitude.reduction import Reduction
 
 STAGES = 4
 ORDER = (2, 3, 4, 1)  # of the regressors in the normal equations: what is asked for last
+PLACES = tuple(sp.Rational(*p) for p in ((1, 2), (7, 10), (1, 1), (7, 5), (2, 1)))  # of where K started
 MOMENTS = ("value", "rate", "change", "value_rate", "value_change", "rate_change")
 
 
@@ -69,7 +72,8 @@ def robust_regression(reduction: Reduction, *, unknown: str = "pi3") -> Program:
             Field("forgetting", "-", "share of the past kept at each update"),
             Field("noise_variance", f"({o.unit})^2", f"variance of {o.name} a sample that is taken out"),
             *(Field(f"noise_{m}", "-", f"moment of filtered unit noise: {m}") for m in MOMENTS),
-            Field("signal_least", "-", "least pivot against what noise alone would make of it"),
+            Field("signal_least", "-", "least pivot of four against the noise taken out of it"),
+            Field("signal_least_one", "-", "the same of one unknown"),
             Field("pivot_least", "-", "least share of a regressor that the others must not explain"),
             Field("move_limit", "-", f"greatest move of ln {model.target} in one sample with one unknown"),
         ),
@@ -84,9 +88,14 @@ def robust_regression(reduction: Reduction, *, unknown: str = "pi3") -> Program:
             Field("scale_stage", signal.unit, f"{signal.meaning} as late as the stages are"),
             _A().field("-", "normal matrix, unknowns 2, 3, 4, 1, upper triangle by rows"),
             Field("q", "-", "right-hand side, unknowns 2, 3, 4, 1", STAGES),
+            Field("yy", "-", "sum of squares of the left side"),
             Field("weight", "-", "samples the sums rest on"),
         ),
-        variables=(Field("carried", "-", "unknowns carried"), Field("residual", "-", "what is left of y")),
+        variables=(
+            Field("lowest", "-", "cost of the best place with one unknown"),
+            Field("carried", "-", "unknowns carried"),
+            Field("residual", "-", "what is left of y"),
+        ),
         start={n: value for n, _, value in _gains(model)} | _stage_weights(model),
         middle=_middle(model),
         provenance=(
@@ -168,11 +177,11 @@ def _stages(signal: str, x: sp.Symbol) -> list[Statement]:
 
 def _late_scale(model: SecondOrder) -> list[Statement]:
     """The scale is taken as late as the stages make the signals: four times 1/corner."""
-    layout = model.layout
     share = S("sample_time") * S("corner") / STAGES
     now = S(f"last_{model.speed}")
-    new = sp.Piecewise((S("scale_stage") + share * (now - S("scale_stage")), S("fresh") > S("settle_samples")),
-                       (now, True))
+    new = sp.Piecewise(
+        (S("scale_stage") + share * (now - S("scale_stage")), S("fresh") > S("settle_samples")), (now, True)
+    )
     return [
         Assign("scale_stage", new, "as late as the filtered signals"),
         Assign("late", 1 / S("scale_stage")),
@@ -222,7 +231,9 @@ def _learn(model: SecondOrder) -> list[Statement]:
         moment = "noise_rate_change" if i == 2 else "noise_value_change"
         own = {2: S("to_rate"), 3: S("to_output"), 4: S("to_pair")}.get(i, 0) * S(moment) * variance
         lines.append(Assign(f"q_{a}", keep * S(f"q_{a}") + (S(f"psi_{i}") * S("y") + own)))
-    lines.append(Assign("trust", S("signal_least") * variance * S("weight")))
+    yy = S("y") ** 2 - variance * S("noise_change")
+    lines.append(Assign("yy", keep * S("yy") + yy))
+    lines.append(Assign("noise_sum", variance * S("weight"), "the noise's share of the sums"))
     return [*lines, *_four(model), When(S("carried") < HALF, tuple(_one(model)), (), "the steer says less")]
 
 
@@ -230,7 +241,7 @@ def _four(model: SecondOrder) -> list[Statement]:
     """The unknown of the steer's rate of change, whatever the other three are."""
     K, A = S(model.target), _A()
     least = [
-        sp.Max(S("pivot_least") * A[a, a], S("trust") * _noise(i, i) if i != 1 else 0)
+        sp.Max(S("pivot_least") * A[a, a], S("signal_least") * S("noise_sum") * _noise(i, i) if i != 1 else 0)
         for a, i in enumerate(ORDER)
     ]
     residual = S("y") - sp.Add(*(S(f"part_{a}") for a in range(STAGES)))
@@ -249,36 +260,63 @@ def _four(model: SecondOrder) -> list[Statement]:
 
 
 def _one(model: SecondOrder) -> list[Statement]:
-    """One Gauss-Newton step along the curve a(K) of the car that the frozen unknowns describe."""
-    K, A = S(model.target), _A()
-    slope = {1: sp.Integer(1), 2: sp.Integer(1), 3: S("stiffness"), 4: S("twice")}
-    car = dict(zip((1, 2, 3, 4), _car(model), strict=True))
-    D = [slope[i] for i in ORDER]
-    a = [car[i] for i in ORDER]
-    along = [Assign(f"along_{k}", sp.Add(*(A[k, m] * D[m] for m in range(STAGES)))) for k in range(STAGES)]
-    normal = sp.Add(*(D[k] * S(f"along_{k}") for k in range(STAGES)))
-    wanted = sp.Add(*(D[k] * S(f"q_{k}") - S(f"along_{k}") * a[k] for k in range(STAGES)))
-    slow = S("to_output") * S("stiffness") + S("to_pair") * S("twice")
-    noise = S("to_rate") * (S("to_rate") * S("noise_rate") + 2 * slow * S("noise_value_rate"))
-    noise = noise + slow**2 * S("noise_value")
+    """One Gauss-Newton step along a(K) = e K + f K^2 of the car that the frozen unknowns describe.
+
+    The cost is a quartic of K and may have two valleys, one of them next to nothing: where K stands in a
+    worse place than one of `PLACES`, it goes on from there.
+    """
+    K, start, A = S(model.target), S(f"{model.target}_start"), _A()
+    e = [{1: 1, 2: 1, 3: S("stiffness"), 4: 0}[i] for i in ORDER]
+    f = [int(i == 4) for i in ORDER]
+
+    def form(x: list, y: list) -> sp.Expr:
+        return sp.Add(*(A[a, b] * x[a] * y[b] for a in range(STAGES) for b in range(STAGES)))
+
+    q = [S(f"q_{a}") for a in range(STAGES)]
+    sums = {"c2": form(e, e), "c3": form(e, f), "c4": form(f, f)}
+    sums |= {"d1": sp.Add(*map(sp.Mul, e, q)), "d2": sp.Add(*map(sp.Mul, f, q))}
+    c2, c3, c4, d1, d2 = map(S, sums)
+
+    def cost(x: sp.Symbol) -> sp.Expr:
+        return S("yy") + x * (x * (c2 - 2 * d2 + x * (2 * c3 + x * c4)) - 2 * d1)
+
+    slow = S("to_output") * S("stiffness") + 2 * K * S("to_pair")
+    noise = S("to_rate") * (S("to_rate") * S("noise_rate") + 2 * S("slow") * S("noise_value_rate"))
+    psi = S("psi_1") + S("psi_2") + S("stiffness") * S("psi_3") + 2 * K * S("psi_4")
+    enough = S("signal_least_one") * S("noise_sum") * S("noise_along")
+    return [
+        *(Assign(name, value) for name, value in sums.items()),
+        Assign("lowest", cost(K)),
+        *[line for i, place in enumerate(PLACES) for line in _look(i, K, place * start, cost)],
+        Assign("slow", slow),
+        Assign("noise_along", noise + S("slow") ** 2 * S("noise_value")),
+        Assign("psi", psi),
+        Assign("normal", c2 + 4 * K * (c3 + K * c4)),
+        Assign("wanted", d1 - K * (c2 - 2 * d2 + K * (3 * c3 + 2 * K * c4))),
+        When(sp.And(S("normal") > 0, S("normal") > enough), tuple(_step_one(model)), (), "more than noise"),
+    ]
+
+
+def _look(i: int, K: sp.Symbol, place: sp.Expr, cost: Callable[[sp.Symbol], sp.Expr]) -> list[Statement]:
+    """Go to a place where the cost is lower, as an error of the input: K near nothing explains nothing."""
+    there, value = S(f"place_{i}"), S(f"cost_{i}")
+    go = (Assign(K.name, there), Assign("lowest", value))
+    return [
+        Assign(there.name, place),
+        Assign(value.name, cost(there)),
+        When(value * K**2 < S("lowest") * there**2, go, (), "another valley" if i == 0 else ""),
+    ]
+
+
+def _step_one(model: SecondOrder) -> list[Statement]:
+    K = S(model.target)
     limit = S("move_limit") * K
     move = sp.Max(-limit, sp.Min(limit, S("wanted") / S("normal")))
-    psi = sp.Add(*(slope[i] * S(f"psi_{i}") for i in (1, 2, 3, 4)))
-    found = (
+    return [
         Assign(K.name, K + move),
         *ls.keep_within(K.name),
         Assign("unknowns", sp.Integer(1)),
         *ls.score(S("psi"), S("residual")),
         *ls.scatter(S("psi"), S("normal"), K**2),
         *learnt_status(model),
-    )
-    enough = sp.And(S("normal") > 0, S("normal") > S("trust") * S("noise_along"))
-    return [
-        Assign("twice", 2 * K),
-        *along,
-        Assign("normal", normal),
-        Assign("wanted", wanted),
-        Assign("noise_along", noise),
-        Assign("psi", psi),
-        When(enough, found, (), "more than noise"),
     ]

@@ -5,8 +5,8 @@
  *   unknown: K; frozen: pi1, eta, rho
  *   one implicit step a sample: similitude.sampling
  *
- * Operations: step 405 at most, 8 at least (arithmetic, comparisons, selects), init 22.
- * Memory: state 28 reals, configuration 31 reals; no heap, no globals, no libm, C99.
+ * Operations: step 409 at most, 8 at least (arithmetic, comparisons, selects), init 22.
+ * Memory: state 28 reals, configuration 32 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -53,6 +53,7 @@ typedef struct bicycle_output_error_config {
     bicycle_output_error_real noise_variance;        /* [(rad/s)^2] variance of r a sample, > 0 */
     bicycle_output_error_real start_variance;        /* [-] variance of ln K before the first update, > 0 */
     bicycle_output_error_real observer_rate;         /* [1/s] pull of the model towards the measurement */
+    bicycle_output_error_real observer_margin;       /* [1/s^2] stiffness of the motion below which the pull is raised */
     bicycle_output_error_real offset_rate;           /* [1/s] rate at which offsets are followed and taken out */
     bicycle_output_error_real state_limit;           /* [-] greatest dimensionless state */
     bicycle_output_error_real move_limit;            /* [-] greatest move of ln K in one sample */
@@ -233,6 +234,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
     const bicycle_output_error_real rho = config->rho;
     const bicycle_output_error_real forgetting_rate = config->forgetting_rate;
     const bicycle_output_error_real observer_rate = config->observer_rate;
+    const bicycle_output_error_real observer_margin = config->observer_margin;
     const bicycle_output_error_real offset_rate = config->offset_rate;
     const bicycle_output_error_real state_limit = config->state_limit;
     const bicycle_output_error_real move_limit = config->move_limit;
@@ -507,7 +509,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         }
         const bicycle_output_error_real damped = K*damping*inv_L*inv_U;
         const bicycle_output_error_real held = K*stiffness*(inv_L*inv_L) + pair_output*(K*K)*(inv_L*inv_L)*(inv_U*inv_U); /* y'' = -held y */
-        const bicycle_output_error_real pull = inv_output_scale*usable*((R(1.0)) < (dt*(observer_rate + R(4.0)*((R(0.0)) > ((-held)) ? R(0.0) : (-held))/damped)) ? R(1.0) : dt*(observer_rate + R(4.0)*((R(0.0)) > ((-held)) ? R(0.0) : (-held))/damped));
+        const bicycle_output_error_real pull = inv_output_scale*usable*((R(1.0)) < (dt*(observer_rate + R(4.0)*((R(0.0)) > (observer_margin - held) ? R(0.0) : observer_margin - held)/damped)) ? R(1.0) : dt*(observer_rate + R(4.0)*((R(0.0)) > (observer_margin - held) ? R(0.0) : observer_margin - held)/damped));
         r_star = r_star + pull*residual;
         r_star_slope = r_star_slope - psi*pull;
         scale_before = last_U;

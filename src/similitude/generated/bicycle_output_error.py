@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_output_error'
-OPERATIONS = 405
+OPERATIONS = 409
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -22,6 +22,7 @@ CONFIG = (
     ('noise_variance', '(rad/s)^2', 'variance of r a sample, > 0', 1),
     ('start_variance', '-', 'variance of ln K before the first update, > 0', 1),
     ('observer_rate', '1/s', 'pull of the model towards the measurement', 1),
+    ('observer_margin', '1/s^2', 'stiffness of the motion below which the pull is raised', 1),
     ('offset_rate', '1/s', 'rate at which offsets are followed and taken out', 1),
     ('state_limit', '-', 'greatest dimensionless state', 1),
     ('move_limit', '-', 'greatest move of ln K in one sample', 1),
@@ -103,9 +104,9 @@ def init(config):
     rho = config[3]
     noise_variance = config[5]
     start_variance = config[6]
-    K_start = config[11]
-    variance_limit = config[20]
-    U_least = config[25]
+    K_start = config[12]
+    variance_limit = config[21]
+    U_least = config[26]
     K = K_start
     v_star = 0.0
     r_star = 0.0
@@ -145,28 +146,29 @@ def step(config, state, sample):
     rho = config[3]
     forgetting_rate = config[4]
     observer_rate = config[7]
-    offset_rate = config[8]
-    state_limit = config[9]
-    move_limit = config[10]
-    K_low = config[12]
-    K_high = config[13]
-    excitation_least = config[14]
-    excitation_rate = config[15]
-    block = config[16]
-    block_keep = config[17]
-    blocks_most = config[18]
-    scatter_low = config[19]
-    variance_limit = config[20]
-    idle_drift = config[21]
-    settle_samples = config[22]
-    dt_low = config[23]
-    dt_high = config[24]
-    U_least = config[25]
-    input_limit = config[26]
-    output_limit = config[27]
-    output_jump = config[28]
-    signal_limit = config[29]
-    validity_limit = config[30]
+    observer_margin = config[8]
+    offset_rate = config[9]
+    state_limit = config[10]
+    move_limit = config[11]
+    K_low = config[13]
+    K_high = config[14]
+    excitation_least = config[15]
+    excitation_rate = config[16]
+    block = config[17]
+    block_keep = config[18]
+    blocks_most = config[19]
+    scatter_low = config[20]
+    variance_limit = config[21]
+    idle_drift = config[22]
+    settle_samples = config[23]
+    dt_low = config[24]
+    dt_high = config[25]
+    U_least = config[26]
+    input_limit = config[27]
+    output_limit = config[28]
+    output_jump = config[29]
+    signal_limit = config[30]
+    validity_limit = config[31]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -403,7 +405,7 @@ def step(config, state, sample):
             aged = (variance_limit if (variance_limit) < (aged + dt*idle_drift) else aged + dt*idle_drift)
         damped = K*damping*inv_L*inv_U
         held = K*stiffness*(inv_L*inv_L) + pair_output*(K*K)*(inv_L*inv_L)*(inv_U*inv_U)  # y'' = -held y
-        pull = inv_output_scale*usable*(1.0 if (1.0) < (dt*(observer_rate + 4.0*(0.0 if (0.0) > ((-held)) else (-held))/damped)) else dt*(observer_rate + 4.0*(0.0 if (0.0) > ((-held)) else (-held))/damped))
+        pull = inv_output_scale*usable*(1.0 if (1.0) < (dt*(observer_rate + 4.0*(0.0 if (0.0) > (observer_margin - held) else observer_margin - held)/damped)) else dt*(observer_rate + 4.0*(0.0 if (0.0) > (observer_margin - held) else observer_margin - held)/damped))
         r_star = r_star + pull*residual
         r_star_slope = r_star_slope - psi*pull
         scale_before = last_U

@@ -8,8 +8,8 @@
  *   K1 = -(eta - 1)/(rho*(pi1 - 1))
  *   K2 = eta/(rho*(pi1 - 1)**2), G2 = eta/(rho*(pi1 - 1)**2)
  *
- * Operations: step 540 at most, 8 at least (arithmetic, comparisons, selects), init 38.
- * Memory: state 52 reals, configuration 38 reals; no heap, no globals, no libm, C99.
+ * Operations: step 639 at most, 8 at least (arithmetic, comparisons, selects), init 38.
+ * Memory: state 53 reals, configuration 39 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -63,7 +63,8 @@ typedef struct bicycle_robust_config {
     bicycle_robust_real noise_value_rate;            /* [-] moment of filtered unit noise: value_rate */
     bicycle_robust_real noise_value_change;          /* [-] moment of filtered unit noise: value_change */
     bicycle_robust_real noise_rate_change;           /* [-] moment of filtered unit noise: rate_change */
-    bicycle_robust_real signal_least;                /* [-] least pivot against what noise alone would make of it */
+    bicycle_robust_real signal_least;                /* [-] least pivot of four against the noise taken out of it */
+    bicycle_robust_real signal_least_one;            /* [-] the same of one unknown */
     bicycle_robust_real pivot_least;                 /* [-] least share of a regressor that the others must not explain */
     bicycle_robust_real move_limit;                  /* [-] greatest move of ln K in one sample with one unknown */
     bicycle_robust_real K_start;                     /* [m^2/s^2] K before the first update */
@@ -104,6 +105,7 @@ typedef struct bicycle_robust_state {
     bicycle_robust_real scale_stage;                 /* [m/s] forward speed as late as the stages are */
     bicycle_robust_real A[10];                       /* [-] normal matrix, unknowns 2, 3, 4, 1, upper triangle by rows */
     bicycle_robust_real q[4];                        /* [-] right-hand side, unknowns 2, 3, 4, 1 */
+    bicycle_robust_real yy;                          /* [-] sum of squares of the left side */
     bicycle_robust_real weight;                      /* [-] samples the sums rest on */
     bicycle_robust_real excitation;                  /* [-] mean square of the drive, in its units */
     bicycle_robust_real mean_square;                 /* [-] mean square of the innovation, in its units */
@@ -183,6 +185,7 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     bicycle_robust_real started;
     bicycle_robust_real stiffness;
     bicycle_robust_real weight;
+    bicycle_robust_real yy;
     K = K_start;
     input_gain = (-R(1.0)/(rho*(pi1 - R(1.0))));
     damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - R(1.0))));
@@ -218,6 +221,7 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     q[1] = R(0.0);
     q[2] = R(0.0);
     q[3] = R(0.0);
+    yy = R(0.0);
     weight = R(0.0);
     excitation = R(0.0);
     mean_square = R(0.0);
@@ -246,6 +250,7 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     state->input_offset = input_offset;
     state->output_offset = output_offset;
     state->scale_stage = scale_stage;
+    state->yy = yy;
     state->weight = weight;
     state->excitation = excitation;
     state->mean_square = mean_square;
@@ -277,12 +282,15 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     const bicycle_robust_real noise_variance = config->noise_variance;
     const bicycle_robust_real noise_value = config->noise_value;
     const bicycle_robust_real noise_rate = config->noise_rate;
+    const bicycle_robust_real noise_change = config->noise_change;
     const bicycle_robust_real noise_value_rate = config->noise_value_rate;
     const bicycle_robust_real noise_value_change = config->noise_value_change;
     const bicycle_robust_real noise_rate_change = config->noise_rate_change;
     const bicycle_robust_real signal_least = config->signal_least;
+    const bicycle_robust_real signal_least_one = config->signal_least_one;
     const bicycle_robust_real pivot_least = config->pivot_least;
     const bicycle_robust_real move_limit = config->move_limit;
+    const bicycle_robust_real K_start = config->K_start;
     const bicycle_robust_real K_low = config->K_low;
     const bicycle_robust_real K_high = config->K_high;
     const bicycle_robust_real excitation_least = config->excitation_least;
@@ -321,6 +329,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     bicycle_robust_real input_offset = state->input_offset;
     bicycle_robust_real output_offset = state->output_offset;
     bicycle_robust_real scale_stage = state->scale_stage;
+    bicycle_robust_real yy = state->yy;
     bicycle_robust_real weight = state->weight;
     bicycle_robust_real excitation = state->excitation;
     bicycle_robust_real mean_square = state->mean_square;
@@ -346,6 +355,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     bicycle_robust_real innovation = R(0.0);
     bicycle_robust_real innovation_variance = R(0.0);
     bicycle_robust_real live = R(0.0);
+    bicycle_robust_real lowest = R(0.0);
     bicycle_robust_real predicted = R(0.0);
     bicycle_robust_real residual = R(0.0);
     bicycle_robust_real scale_now = R(0.0);
@@ -456,9 +466,10 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
             q[1] = forgetting*q[1] + psi_3*y + noise_value_change*noise_variance*to_output;
             q[2] = forgetting*q[2] + psi_4*y + noise_value_change*noise_variance*to_pair;
             q[3] = forgetting*q[3] + psi_1*y;
-            const bicycle_robust_real trust = noise_variance*signal_least*weight;
+            yy = (y*y) + forgetting*yy - noise_change*noise_variance;
+            const bicycle_robust_real noise_sum = noise_variance*weight; /* the noise's share of the sums */
             const bicycle_robust_real d_0 = A[0];
-            if (d_0 > ((A[0]*pivot_least) > (noise_rate*trust*(to_rate*to_rate)) ? A[0]*pivot_least : noise_rate*trust*(to_rate*to_rate))) {
+            if (d_0 > ((A[0]*pivot_least) > (noise_rate*noise_sum*signal_least*(to_rate*to_rate)) ? A[0]*pivot_least : noise_rate*noise_sum*signal_least*(to_rate*to_rate))) {
                 const bicycle_robust_real inv_d_0 = (R(1.0)/d_0);
                 const bicycle_robust_real z_0 = q[0];
                 const bicycle_robust_real w_0 = psi_2;
@@ -466,7 +477,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                 const bicycle_robust_real u_10 = A[1];
                 const bicycle_robust_real l_10 = inv_d_0*u_10;
                 const bicycle_robust_real d_1 = A[4] - l_10*u_10;
-                if (d_1 > ((A[4]*pivot_least) > (noise_value*trust*(to_output*to_output)) ? A[4]*pivot_least : noise_value*trust*(to_output*to_output))) {
+                if (d_1 > ((A[4]*pivot_least) > (noise_sum*noise_value*signal_least*(to_output*to_output)) ? A[4]*pivot_least : noise_sum*noise_value*signal_least*(to_output*to_output))) {
                     const bicycle_robust_real inv_d_1 = (R(1.0)/d_1);
                     const bicycle_robust_real z_1 = q[1] - l_10*z_0;
                     const bicycle_robust_real w_1 = psi_3 - l_10*w_0;
@@ -476,7 +487,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                     const bicycle_robust_real u_21 = A[5] - l_20*u_10;
                     const bicycle_robust_real l_21 = inv_d_1*u_21;
                     const bicycle_robust_real d_2 = A[7] - l_20*u_20 - l_21*u_21;
-                    if (d_2 > ((A[7]*pivot_least) > (noise_value*trust*(to_pair*to_pair)) ? A[7]*pivot_least : noise_value*trust*(to_pair*to_pair))) {
+                    if (d_2 > ((A[7]*pivot_least) > (noise_sum*noise_value*signal_least*(to_pair*to_pair)) ? A[7]*pivot_least : noise_sum*noise_value*signal_least*(to_pair*to_pair))) {
                         const bicycle_robust_real inv_d_2 = (R(1.0)/d_2);
                         const bicycle_robust_real z_2 = q[2] - l_20*z_0 - l_21*z_1;
                         const bicycle_robust_real w_2 = psi_4 - l_20*w_0 - l_21*w_1;
@@ -532,16 +543,48 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                 }
             }
             if (carried < R(0.5)) { /* the steer says less */
-                const bicycle_robust_real twice = R(2.0)*K;
-                const bicycle_robust_real along_0 = (A[0] + A[3]) + (A[1]*stiffness + A[2]*twice);
-                const bicycle_robust_real along_1 = (A[1] + A[6]) + (A[4]*stiffness + A[5]*twice);
-                const bicycle_robust_real along_2 = (A[2] + A[8]) + (A[5]*stiffness + A[7]*twice);
-                const bicycle_robust_real along_3 = (A[3] + A[9]) + (A[6]*stiffness + A[8]*twice);
-                const bicycle_robust_real normal = (along_0 + along_3) + (along_1*stiffness + along_2*twice);
-                const bicycle_robust_real wanted = q[0] + q[3] + q[1]*stiffness + q[2]*twice - K*along_0 - K*along_3 - along_2*(K*K) - K*along_1*stiffness;
-                const bicycle_robust_real noise_along = noise_value*((stiffness*to_output + to_pair*twice)*(stiffness*to_output + to_pair*twice)) + to_rate*(noise_rate*to_rate + noise_value_rate*(R(2.0)*stiffness*to_output + R(2.0)*to_pair*twice));
-                const bicycle_robust_real psi = (psi_1 + psi_2) + (psi_3*stiffness + psi_4*twice);
-                if ((normal > R(0.0)) && (normal > noise_along*trust)) { /* more than noise */
+                const bicycle_robust_real c2 = (A[0] + R(2.0)*A[3] + A[9]) + (R(2.0)*A[1]*stiffness + A[4]*(stiffness*stiffness) + R(2.0)*A[6]*stiffness);
+                const bicycle_robust_real c3 = A[2] + A[8] + A[5]*stiffness;
+                const bicycle_robust_real c4 = A[7];
+                const bicycle_robust_real d1 = q[0] + q[3] + q[1]*stiffness;
+                const bicycle_robust_real d2 = q[2];
+                lowest = yy + K*(K*(c2 + K*(R(2.0)*c3 + K*c4) - R(2.0)*d2) - R(2.0)*d1);
+                const bicycle_robust_real place_0 = R(0.5)*K_start;
+                const bicycle_robust_real cost_0 = yy + place_0*(place_0*(c2 + place_0*(R(2.0)*c3 + c4*place_0) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_0*(K*K) < lowest*(place_0*place_0)) { /* another valley */
+                    K = place_0;
+                    lowest = cost_0;
+                }
+                const bicycle_robust_real place_1 = R(0.7)*K_start;
+                const bicycle_robust_real cost_1 = yy + place_1*(place_1*(c2 + place_1*(R(2.0)*c3 + c4*place_1) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_1*(K*K) < lowest*(place_1*place_1)) {
+                    K = place_1;
+                    lowest = cost_1;
+                }
+                const bicycle_robust_real place_2 = K_start;
+                const bicycle_robust_real cost_2 = yy + place_2*(place_2*(c2 + place_2*(R(2.0)*c3 + c4*place_2) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_2*(K*K) < lowest*(place_2*place_2)) {
+                    K = place_2;
+                    lowest = cost_2;
+                }
+                const bicycle_robust_real place_3 = R(1.4)*K_start;
+                const bicycle_robust_real cost_3 = yy + place_3*(place_3*(c2 + place_3*(R(2.0)*c3 + c4*place_3) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_3*(K*K) < lowest*(place_3*place_3)) {
+                    K = place_3;
+                    lowest = cost_3;
+                }
+                const bicycle_robust_real place_4 = R(2.0)*K_start;
+                const bicycle_robust_real cost_4 = yy + place_4*(place_4*(c2 + place_4*(R(2.0)*c3 + c4*place_4) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_4*(K*K) < lowest*(place_4*place_4)) {
+                    K = place_4;
+                    lowest = cost_4;
+                }
+                const bicycle_robust_real slow = R(2.0)*K*to_pair + stiffness*to_output;
+                const bicycle_robust_real noise_along = noise_value*(slow*slow) + to_rate*(noise_rate*to_rate + R(2.0)*noise_value_rate*slow);
+                const bicycle_robust_real psi = (psi_1 + psi_2) + (R(2.0)*K*psi_4 + psi_3*stiffness);
+                const bicycle_robust_real normal = c2 + R(4.0)*K*(c3 + K*c4);
+                const bicycle_robust_real wanted = d1 - K*(c2 + K*(R(3.0)*c3 + R(2.0)*K*c4) - R(2.0)*d2);
+                if ((normal > R(0.0)) && (normal > noise_along*noise_sum*signal_least_one)) { /* more than noise */
                     K = K + (((-K*move_limit)) > (((K*move_limit) < (wanted/normal) ? K*move_limit : wanted/normal)) ? (-K*move_limit) : ((K*move_limit) < (wanted/normal) ? K*move_limit : wanted/normal));
                     edge = R(0.0);
                     if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
@@ -601,6 +644,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     state->input_offset = input_offset;
     state->output_offset = output_offset;
     state->scale_stage = scale_stage;
+    state->yy = yy;
     state->weight = weight;
     state->excitation = excitation;
     state->mean_square = mean_square;

@@ -12,7 +12,7 @@ The twin does the operations of the C file in the same order, about a thousand t
 """
 
 NAME = 'bicycle_robust'
-OPERATIONS = 540
+OPERATIONS = 639
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -32,7 +32,8 @@ CONFIG = (
     ('noise_value_rate', '-', 'moment of filtered unit noise: value_rate', 1),
     ('noise_value_change', '-', 'moment of filtered unit noise: value_change', 1),
     ('noise_rate_change', '-', 'moment of filtered unit noise: rate_change', 1),
-    ('signal_least', '-', 'least pivot against what noise alone would make of it', 1),
+    ('signal_least', '-', 'least pivot of four against the noise taken out of it', 1),
+    ('signal_least_one', '-', 'the same of one unknown', 1),
     ('pivot_least', '-', 'least share of a regressor that the others must not explain', 1),
     ('move_limit', '-', 'greatest move of ln K in one sample with one unknown', 1),
     ('K_start', 'm^2/s^2', 'K before the first update', 1),
@@ -73,6 +74,7 @@ STATE = (
     ('scale_stage', 'm/s', 'forward speed as late as the stages are', 1),
     ('A', '-', 'normal matrix, unknowns 2, 3, 4, 1, upper triangle by rows', 10),
     ('q', '-', 'right-hand side, unknowns 2, 3, 4, 1', 4),
+    ('yy', '-', 'sum of squares of the left side', 1),
     ('weight', '-', 'samples the sums rest on', 1),
     ('excitation', '-', 'mean square of the drive, in its units', 1),
     ('mean_square', '-', 'mean square of the innovation, in its units', 1),
@@ -117,9 +119,9 @@ def init(config):
     rho = config[3]
     sample_time = config[4]
     corner = config[5]
-    K_start = config[18]
-    variance_limit = config[27]
-    U_least = config[32]
+    K_start = config[19]
+    variance_limit = config[28]
+    U_least = config[33]
     K = K_start
     input_gain = (-1.0/(rho*(pi1 - 1.0)))
     damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - 1.0)))
@@ -155,6 +157,7 @@ def init(config):
     q_1 = 0.0
     q_2 = 0.0
     q_3 = 0.0
+    yy = 0.0
     weight = 0.0
     excitation = 0.0
     mean_square = 0.0
@@ -172,7 +175,7 @@ def init(config):
     last_U = U_least
     fresh = 0.0
     started = 0.0
-    return [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
+    return [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, yy, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
 
 
 def step(config, state, sample):
@@ -185,31 +188,34 @@ def step(config, state, sample):
     noise_variance = config[8]
     noise_value = config[9]
     noise_rate = config[10]
+    noise_change = config[11]
     noise_value_rate = config[12]
     noise_value_change = config[13]
     noise_rate_change = config[14]
     signal_least = config[15]
-    pivot_least = config[16]
-    move_limit = config[17]
-    K_low = config[19]
-    K_high = config[20]
-    excitation_least = config[21]
-    excitation_rate = config[22]
-    block = config[23]
-    block_keep = config[24]
-    blocks_most = config[25]
-    scatter_low = config[26]
-    variance_limit = config[27]
-    idle_drift = config[28]
-    settle_samples = config[29]
-    dt_low = config[30]
-    dt_high = config[31]
-    U_least = config[32]
-    input_limit = config[33]
-    output_limit = config[34]
-    output_jump = config[35]
-    signal_limit = config[36]
-    validity_limit = config[37]
+    signal_least_one = config[16]
+    pivot_least = config[17]
+    move_limit = config[18]
+    K_start = config[19]
+    K_low = config[20]
+    K_high = config[21]
+    excitation_least = config[22]
+    excitation_rate = config[23]
+    block = config[24]
+    block_keep = config[25]
+    blocks_most = config[26]
+    scatter_low = config[27]
+    variance_limit = config[28]
+    idle_drift = config[29]
+    settle_samples = config[30]
+    dt_low = config[31]
+    dt_high = config[32]
+    U_least = config[33]
+    input_limit = config[34]
+    output_limit = config[35]
+    output_jump = config[36]
+    signal_limit = config[37]
+    validity_limit = config[38]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -249,23 +255,24 @@ def step(config, state, sample):
     q_1 = state[32]
     q_2 = state[33]
     q_3 = state[34]
-    weight = state[35]
-    excitation = state[36]
-    mean_square = state[37]
-    block_score = state[38]
-    block_weight = state[39]
-    block_age = state[40]
-    scatter_sum = state[41]
-    scatter_weight = state[42]
-    blocks = state[43]
-    log_variance = state[44]
-    aged = state[45]
-    information = state[46]
-    last_input = state[47]
-    last_measured = state[48]
-    last_U = state[49]
-    fresh = state[50]
-    started = state[51]
+    yy = state[35]
+    weight = state[36]
+    excitation = state[37]
+    mean_square = state[38]
+    block_score = state[39]
+    block_weight = state[40]
+    block_age = state[41]
+    scatter_sum = state[42]
+    scatter_weight = state[43]
+    blocks = state[44]
+    log_variance = state[45]
+    aged = state[46]
+    information = state[47]
+    last_input = state[48]
+    last_measured = state[49]
+    last_U = state[50]
+    fresh = state[51]
+    started = state[52]
     carried = 0.0
     edge = 0.0
     estimate = 0.0
@@ -274,6 +281,7 @@ def step(config, state, sample):
     innovation = 0.0
     innovation_variance = 0.0
     live = 0.0
+    lowest = 0.0
     predicted = 0.0
     residual = 0.0
     scale_now = 0.0
@@ -377,9 +385,10 @@ def step(config, state, sample):
             q_1 = forgetting*q_1 + psi_3*y + noise_value_change*noise_variance*to_output
             q_2 = forgetting*q_2 + psi_4*y + noise_value_change*noise_variance*to_pair
             q_3 = forgetting*q_3 + psi_1*y
-            trust = noise_variance*signal_least*weight
+            yy = (y*y) + forgetting*yy - noise_change*noise_variance
+            noise_sum = noise_variance*weight  # the noise's share of the sums
             d_0 = A_0
-            if d_0 > (A_0*pivot_least if (A_0*pivot_least) > (noise_rate*trust*(to_rate*to_rate)) else noise_rate*trust*(to_rate*to_rate)):
+            if d_0 > (A_0*pivot_least if (A_0*pivot_least) > (noise_rate*noise_sum*signal_least*(to_rate*to_rate)) else noise_rate*noise_sum*signal_least*(to_rate*to_rate)):
                 inv_d_0 = (1.0/d_0)
                 z_0 = q_0
                 w_0 = psi_2
@@ -387,7 +396,7 @@ def step(config, state, sample):
                 u_10 = A_1
                 l_10 = inv_d_0*u_10
                 d_1 = A_4 - l_10*u_10
-                if d_1 > (A_4*pivot_least if (A_4*pivot_least) > (noise_value*trust*(to_output*to_output)) else noise_value*trust*(to_output*to_output)):
+                if d_1 > (A_4*pivot_least if (A_4*pivot_least) > (noise_sum*noise_value*signal_least*(to_output*to_output)) else noise_sum*noise_value*signal_least*(to_output*to_output)):
                     inv_d_1 = (1.0/d_1)
                     z_1 = q_1 - l_10*z_0
                     w_1 = psi_3 - l_10*w_0
@@ -397,7 +406,7 @@ def step(config, state, sample):
                     u_21 = A_5 - l_20*u_10
                     l_21 = inv_d_1*u_21
                     d_2 = A_7 - l_20*u_20 - l_21*u_21
-                    if d_2 > (A_7*pivot_least if (A_7*pivot_least) > (noise_value*trust*(to_pair*to_pair)) else noise_value*trust*(to_pair*to_pair)):
+                    if d_2 > (A_7*pivot_least if (A_7*pivot_least) > (noise_sum*noise_value*signal_least*(to_pair*to_pair)) else noise_sum*noise_value*signal_least*(to_pair*to_pair)):
                         inv_d_2 = (1.0/d_2)
                         z_2 = q_2 - l_20*z_0 - l_21*z_1
                         w_2 = psi_4 - l_20*w_0 - l_21*w_1
@@ -444,16 +453,43 @@ def step(config, state, sample):
                             if edge > 0.5:  # the population's edge
                                 status = 3.0
             if carried < 0.5:  # the steer says less
-                twice = 2.0*K
-                along_0 = (A_0 + A_3) + (A_1*stiffness + A_2*twice)
-                along_1 = (A_1 + A_6) + (A_4*stiffness + A_5*twice)
-                along_2 = (A_2 + A_8) + (A_5*stiffness + A_7*twice)
-                along_3 = (A_3 + A_9) + (A_6*stiffness + A_8*twice)
-                normal = (along_0 + along_3) + (along_1*stiffness + along_2*twice)
-                wanted = q_0 + q_3 + q_1*stiffness + q_2*twice - K*along_0 - K*along_3 - along_2*(K*K) - K*along_1*stiffness
-                noise_along = noise_value*((stiffness*to_output + to_pair*twice)*(stiffness*to_output + to_pair*twice)) + to_rate*(noise_rate*to_rate + noise_value_rate*(2.0*stiffness*to_output + 2.0*to_pair*twice))
-                psi = (psi_1 + psi_2) + (psi_3*stiffness + psi_4*twice)
-                if (normal > 0.0) and (normal > noise_along*trust):  # more than noise
+                c2 = (A_0 + 2.0*A_3 + A_9) + (2.0*A_1*stiffness + A_4*(stiffness*stiffness) + 2.0*A_6*stiffness)
+                c3 = A_2 + A_8 + A_5*stiffness
+                c4 = A_7
+                d1 = q_0 + q_3 + q_1*stiffness
+                d2 = q_2
+                lowest = yy + K*(K*(c2 + K*(2.0*c3 + K*c4) - 2.0*d2) - 2.0*d1)
+                place_0 = 0.5*K_start
+                cost_0 = yy + place_0*(place_0*(c2 + place_0*(2.0*c3 + c4*place_0) - 2.0*d2) - 2.0*d1)
+                if cost_0*(K*K) < lowest*(place_0*place_0):  # another valley
+                    K = place_0
+                    lowest = cost_0
+                place_1 = 0.7*K_start
+                cost_1 = yy + place_1*(place_1*(c2 + place_1*(2.0*c3 + c4*place_1) - 2.0*d2) - 2.0*d1)
+                if cost_1*(K*K) < lowest*(place_1*place_1):
+                    K = place_1
+                    lowest = cost_1
+                place_2 = K_start
+                cost_2 = yy + place_2*(place_2*(c2 + place_2*(2.0*c3 + c4*place_2) - 2.0*d2) - 2.0*d1)
+                if cost_2*(K*K) < lowest*(place_2*place_2):
+                    K = place_2
+                    lowest = cost_2
+                place_3 = 1.4*K_start
+                cost_3 = yy + place_3*(place_3*(c2 + place_3*(2.0*c3 + c4*place_3) - 2.0*d2) - 2.0*d1)
+                if cost_3*(K*K) < lowest*(place_3*place_3):
+                    K = place_3
+                    lowest = cost_3
+                place_4 = 2.0*K_start
+                cost_4 = yy + place_4*(place_4*(c2 + place_4*(2.0*c3 + c4*place_4) - 2.0*d2) - 2.0*d1)
+                if cost_4*(K*K) < lowest*(place_4*place_4):
+                    K = place_4
+                    lowest = cost_4
+                slow = 2.0*K*to_pair + stiffness*to_output
+                noise_along = noise_value*(slow*slow) + to_rate*(noise_rate*to_rate + 2.0*noise_value_rate*slow)
+                psi = (psi_1 + psi_2) + (2.0*K*psi_4 + psi_3*stiffness)
+                normal = c2 + 4.0*K*(c3 + K*c4)
+                wanted = d1 - K*(c2 + K*(3.0*c3 + 2.0*K*c4) - 2.0*d2)
+                if (normal > 0.0) and (normal > noise_along*noise_sum*signal_least_one):  # more than noise
                     K = K + ((-K*move_limit) if ((-K*move_limit)) > ((K*move_limit if (K*move_limit) < (wanted/normal) else wanted/normal)) else (K*move_limit if (K*move_limit) < (wanted/normal) else wanted/normal))
                     edge = 0.0
                     if (K < K_low) or (K > K_high):  # no car is softer or stiffer
@@ -497,5 +533,5 @@ def step(config, state, sample):
     estimate = K
     variance = (variance_limit if (variance_limit) < (aged + log_variance) else aged + log_variance)
     information_gained = information
-    state[:] = [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
+    state[:] = [K, input_gain, damping, stiffness, pair_output, pair_input, stage_keep, stage_share, input_offset, output_offset, input_stage_0, input_stage_1, input_stage_2, input_stage_3, input_stage_4, output_stage_0, output_stage_1, output_stage_2, output_stage_3, output_stage_4, scale_stage, A_0, A_1, A_2, A_3, A_4, A_5, A_6, A_7, A_8, A_9, q_0, q_1, q_2, q_3, yy, weight, excitation, mean_square, block_score, block_weight, block_age, scatter_sum, scatter_weight, blocks, log_variance, aged, information, last_input, last_measured, last_U, fresh, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, unknowns]

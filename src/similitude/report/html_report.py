@@ -135,7 +135,9 @@ def _estimate(run: Run, charts: Mapping[str, Chart]) -> Html:
 
 def _cross_check(check: CrossCheck) -> Html:
     """One sentence on whether two estimators of different kinds agree, and both numbers."""
-    told = f"They differ by {100 * check.apart:+.1f} %, with an sd of {100 * check.std:.1f} % were both right: "
+    told = (
+        f"They differ by {100 * check.apart:+.1f} %, with an sd of {100 * check.std:.1f} % were both right: "
+    )
     told += f"{abs(check.apart) / check.std:.1f} sd; with the population's average groups in robust "
     told += f"{abs(check.average_apart) / check.average_std:.1f} sd."
     what = "Two estimators of different kinds agree."

@@ -46,7 +46,9 @@ def cross_check_table(check: CrossCheck) -> Html:
     """The filter's K over the last stretch and that of the estimator of another kind."""
     rows = [
         _estimate_row("population", check.population, "the filter, over the same stretch"),
-        _estimate_row("robust", check.K, f"from what a change of steer does at once; {check.unknowns} unknowns"),
+        _estimate_row(
+            "robust", check.K, f"from what a change of steer does at once; {check.unknowns} unknowns"
+        ),
     ]
     return table(["", "value", "± sd", "95 %", "unit", "meaning"], rows, numeric=(1, 2, 3))
 
