@@ -80,8 +80,9 @@ class CrossCheck:
     """The filter's K against that of an estimator of another kind over the same stretch of the log.
 
     ``K`` is that of the other, ``population`` the filter's own; ``apart`` is their difference as a share
-    of it, ``std`` the sd that it would have if both were right; ``average_apart`` and ``average_std`` the same
-    with the other's groups at the population's averages; ``unknowns`` that the drive let the other carry.
+    of it, ``std`` the sd that it would have if both were right; ``average_apart`` and ``average_std`` are
+    the same with the other's groups at the population's averages; ``unknowns`` is how many the drive let
+    the other carry.
     """
 
     K: Estimate
