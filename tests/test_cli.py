@@ -127,7 +127,10 @@ def test_options_reach_the_core(core, capsys):
         ),
         (["my drive.csv"], "similitude identify 'my drive.csv' --vehicle"),
         (["a.csv", "--vehicle", "none.toml"], "similitude vehicle --new > none.toml"),
-        (["a.csv", "--vehicle", "car.toml", "--estimator", "band"], "population and batch and paper"),
+        (
+            ["a.csv", "--vehicle", "car.toml", "--estimator", "bond"],
+            "robust and output_error and band and paper",
+        ),
         (["a.csv", "--vehicle", "car.toml", "--estimator", "papr"], "--estimator paper"),
         (["a.csv", "--vehicle", "car.toml", "--map", "delta"], "--map 'delta'"),
         (["a.csv", "--vehicle", "car.toml", "--map", "=x"], "--map '=x'"),
