@@ -87,34 +87,6 @@ def test_taking_the_noise_out_of_the_sums_takes_its_bias_away():
     assert abs(np.mean(errors[False])) > 2 * abs(np.mean(errors[True]))
 
 
-def test_one_sine_carries_one_unknown_and_it_is_found():
-    """Two unknowns of a sine, gain and phase, cannot be four."""
-    rows = drive(40.0)
-    t = np.arange(len(rows)) / 100
-    rows = _driven(rows, 0.01 * np.sin(2 * np.pi * 0.5 * t))
-    outputs, _, _ = run("robust", rows, noise=NOISE)
-
-    assert outputs["unknowns"].max() == 1
-    assert outputs["estimate"][-1] == pytest.approx(CAR["K"], rel=0.02)
-
-
-def _driven(rows, delta):
-    from similitude.simulate import bicycle_response
-
-    t = np.arange(len(rows)) / 100
-    groups = {n: CAR[n] for n in ("pi1", "eta", "rho")}
-    r, _ = bicycle_response(t, delta, U, L=L, K=CAR["K"], **groups)
-    noise = NOISE * np.random.default_rng(3).standard_normal(len(rows))
-    return np.column_stack([rows[:, 0], delta, rows[:, 2], r + noise])
-
-
-def test_a_straight_road_carries_none_and_K_is_held():
-    outputs, _, _ = run("robust", drive(40.0, rms=1e-4, noise=NOISE))
-
-    assert (outputs["unknowns"] == 0).all()
-    assert (outputs["estimate"] == PRIOR.mean[0]).all()
-
-
 def test_offsets_of_steer_and_gyro_are_taken_out():
     rows = drive(60.0)
     rows[:, 1] += 3e-3

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -123,14 +124,24 @@ def _timed(sample_time: float, memory: float, settling: float) -> dict[str, floa
     }
 
 
-def _band(sample_time: float, noise_std: float, memory: float) -> dict:
-    high = bessel_sections("high", HIGH_PASS, sample_time)
-    low = bessel_sections("low", LOW_PASS, sample_time)
-    sections = np.vstack([high, low])
-    impulse = np.zeros(math.ceil(SETTLING * 4 / HIGH_PASS / sample_time) + 64)
+@lru_cache
+def band_pass(sample_time: float) -> tuple[NDArray[np.float64], float, float]:
+    """Sections of the band-pass (4, 5), and the autocorrelation of its impulse response at lags 0 and 1.
+
+    Parameters
+    ----------
+    sample_time : [s].
+    """
+    kinds = (("high", HIGH_PASS), ("low", LOW_PASS))
+    sections = np.vstack([bessel_sections(kind, corner, sample_time) for kind, corner in kinds])
+    impulse = np.zeros(math.ceil(4 * SETTLING / HIGH_PASS / sample_time) + 64)
     impulse[0] = 1.0
     passed = cascade_response(sections, impulse)
-    zero, one = float(passed @ passed), float(passed[1:] @ passed[:-1])
+    return sections, float(passed @ passed), float(passed[1:] @ passed[:-1])
+
+
+def _band(sample_time: float, noise_std: float, memory: float) -> dict:
+    sections, zero, one = band_pass(sample_time)
     own = 2 * (zero - one) * noise_std**2
     return {
         **_timed(sample_time, memory, SETTLING / HIGH_PASS),
@@ -144,6 +155,7 @@ def _band(sample_time: float, noise_std: float, memory: float) -> dict:
     }
 
 
+@lru_cache
 def state_filter_moments(sample_time: float, corner: float = STATE_FILTER) -> dict[str, float]:
     """Moments of white noise of unit variance behind the four stages and their derivatives.
 
