@@ -9,6 +9,8 @@ scale's among them, is counted once; P0 has the population's covariance of the g
 filter's. ``own`` is robust's scatter, noise and form, the lag's part of the difference, how the filter's K
 moved over the stretch, and `STRUCTURE`.
 
+d0 counts where four unknowns are carried: one unknown takes all groups from the averages, far off linear.
+
 d asks whether one car explains both the whole response and the answer to a change of steer; d0 whether a
 car of the population does. What either cannot explain is an error of the structure.
 
@@ -59,11 +61,11 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
     weights /= weights.sum()
     along = np.interp(ready.setup.log.t, done.setup.log.t, np.log(done.output("estimate")))
     filtered = float(weights @ along)
-    gradient = np.array([-1.0, *_slopes(one, passes, ready)])
+    gradient = np.array([-1.0, *_slopes(passes, done, ready)])
     ratio = float(np.exp(one.ln_K[-1] - filtered))
     alone = (
         float(one.output("variance")[-1])
-        + (NOISE_DOUBT * float(one.ln_K[-1] - passes["noise"].ln_K[-1])) ** 2
+        + (NOISE_DOUBT * float(one.ln_K[-1] - passes["noise"])) ** 2
         + float(form_error(one)[-1]) ** 2
     ) * min(ratio, 1.0) ** 2  # of K of the filter: one that reads next to nothing is sure of that
     if alone > LEAST_KNOWN**2:
@@ -74,8 +76,9 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
     P0 = P.copy()
     P0[1:4, 1:4] = ready.prior.covariance[1:, 1:]
     std, average_std = (float(np.sqrt(gradient @ Q @ gradient + own)) for Q in (P, P0))
-    average = _relative(float(passes["averages"].ln_K[-1]) - filtered)
+    average = _relative(passes["averages"] - filtered)
     taught = one.output("unknowns")
+    unknowns = int(taught[taught > 0][-1])
     within = gradient[1:] @ P[1:, 1:] @ gradient[1:]
     known = float(np.sqrt(alone / min(ratio, 1.0) ** 2 + within))
     return CrossCheck(
@@ -85,10 +88,14 @@ def cross_check(ready: Prepared, done: Pass) -> CrossCheck | None:
         std=std,
         average_apart=average,
         average_std=average_std,
-        unknowns=int(taught[taught > 0][-1]),
-        structure_error=abs(_relative(float(np.log(ratio)))) > APART * std
-        or abs(average) > APART * average_std,
+        unknowns=unknowns,
+        structure_error=_beyond(_relative(float(np.log(ratio))), std)
+        or (unknowns == 4 and _beyond(average, average_std)),
     )
+
+
+def _beyond(apart: float, std: float) -> bool:
+    return abs(apart) > APART * std
 
 
 def _relative(away: float) -> float:
@@ -108,12 +115,12 @@ def sentence(check: CrossCheck) -> str:
     )
 
 
-def _passes(ready: Prepared, done: Pass) -> tuple[RungPass, dict[str, RungPass]]:
-    """Robust with the filter's groups, and again with each of what it takes for granted changed."""
+def _passes(ready: Prepared, done: Pass) -> tuple[RungPass, dict[str, float]]:
+    """Robust with the filter's groups, and its last ln K with each thing taken for granted changed."""
     found = np.array([done.value(name) for name in NAMES])
     start = rung("robust", ready.setup, replace(ready.prior, mean=found))
     start = replace(start, changes={"K_start": found[0], **_limits(start, ready)})
-    changed: dict[str, Rung] = {"one": start, "noise": replace(start, compensated=False)}
+    changed: dict[str, Rung] = {"noise": replace(start, compensated=False)}
     sd = np.sqrt(np.diag(done.covariance(list(NAMES))))
     for i, name in enumerate(NAMES[1:]):
         step = np.zeros(3)
@@ -126,9 +133,8 @@ def _passes(ready: Prepared, done: Pass) -> tuple[RungPass, dict[str, RungPass]]
         "lag": start.at_lag(ready.scan.chosen + _lag_sd(ready)),
         "averages": replace(start, prior=ready.prior),
     }
-    ends = side_by_side([each.run for each in changed.values()])
-    passes = dict(zip(changed, ends, strict=True))
-    return passes.pop("one"), passes
+    ends = side_by_side([lambda each=each: float(each.run().ln_K[-1]) for each in changed.values()])
+    return start.run(), dict(zip(changed, ends, strict=True))
 
 
 def _limits(start: Rung, ready: Prepared) -> dict[str, float]:
@@ -138,17 +144,13 @@ def _limits(start: Rung, ready: Prepared) -> dict[str, float]:
     return {"K_low": min(mean, found) * np.exp(-width), "K_high": max(mean, found) * np.exp(width)}
 
 
-def _slopes(one: RungPass, passes: dict[str, RungPass], ready: Prepared) -> NDArray[np.float64]:
+def _slopes(passes: dict[str, float], done: Pass, ready: Prepared) -> NDArray[np.float64]:
     """d(ln K of robust)/dx of pi1, ln eta, ln rho and the steer scale, (4,)."""
-    base = one.rung.prior.coordinates(one.rung.prior.mean)
-    slopes = []
-    for i, name in enumerate(NAMES[1:], start=1):
-        up, down = passes[f"{name} up"], passes[f"{name} down"]
-        step = (up.rung.prior.coordinates(up.rung.prior.mean) - base)[i]
-        slopes.append((up.ln_K[-1] - down.ln_K[-1]) / (2 * step))
-    scale = np.log(1.0 + ready.setup.input_scale_sd)
-    slopes.append((passes["scale up"].ln_K[-1] - passes["scale down"].ln_K[-1]) / (2 * scale))
-    return np.array(slopes)
+    steps = [*np.sqrt(np.diag(done.covariance(list(NAMES[1:])))), np.log(1.0 + ready.setup.input_scale_sd)]
+    names = (*NAMES[1:], "scale")
+    return np.array(
+        [(passes[f"{n} up"] - passes[f"{n} down"]) / (2 * s) for n, s in zip(names, steps, strict=True)]
+    )
 
 
 def _lag_sd(ready: Prepared) -> float:
@@ -163,11 +165,11 @@ def _lag_sd(ready: Prepared) -> float:
     return min(max(wide, narrow) if np.isfinite(narrow) else wide, UNSEEN_LAG)
 
 
-def _lag(one: RungPass, passes: dict[str, RungPass], done: Pass, ready: Prepared) -> float:
+def _lag(one: RungPass, passes: dict[str, float], done: Pass, ready: Prepared) -> float:
     """How the difference moves with the lag, for one sd of it."""
     later = done.setup.with_lag(ready.scan.chosen + _lag_sd(ready), ready.setup.input_scale_sd).run()
     moved = np.log(later.output("estimate")[-1] / done.output("estimate")[-1])
-    return float(passes["lag"].ln_K[-1] - one.ln_K[-1] - moved)
+    return float(passes["lag"] - one.ln_K[-1] - moved)
 
 
 def _weights(one: RungPass) -> NDArray[np.float64]:

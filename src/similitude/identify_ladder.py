@@ -30,6 +30,8 @@ def identify_ladder(log: Log, vehicle: Vehicle, *, estimator: str) -> Run:
     done = rung(estimator, ready.setup, prior).run()
     found = doubts(done, ready.scan)
     total = np.sqrt(sum(part**2 for part in found.values()))
+    untaught = np.cumsum(done.output("unknowns") > 0) == 0
+    total[untaught] = prior.std[0]  # until something is learnt, K is the population's
     trace = trace_of(ready, done, total)
     code, reason = verdict(evidence(log, trace, prior))
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
@@ -84,9 +86,9 @@ def trace_of(ready: Prepared, done: RungPass, ln_K_std: NDArray[np.float64]) -> 
 
 def _warnings(ready: Prepared, done: RungPass, found: dict[str, NDArray[np.float64]]) -> list[str]:
     """What a reader should know before the number."""
-    lines = [_parts(found)]
     unknowns = done.output("unknowns")
     learnt = unknowns > 0
+    lines = [_parts(found)] if learnt.any() else []
     if not learnt.any():
         lines.append(_never_learnt(done))
     elif done.rung.library.name == "bicycle_robust" and (unknowns[learnt] < 2).any():
@@ -111,7 +113,7 @@ def _parts(found: dict[str, NDArray[np.float64]]) -> str:
     if not named:
         return "K is known to its scatter: frozen groups, noise and steer scale move it by less than 2 %"
     return "of the interval's width (one sd of ln K): " + "; ".join(
-        f"{100 * ends[n]:.2g} % {WORDS[n]}" for n in named
+        f"{100 * ends[n]:.0f} % {WORDS[n]}" for n in named
     )
 
 
