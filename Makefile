@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy spacing clean
+.PHONY: demo test check fuzz bench accuracy spacing ladder cross-check clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -31,6 +31,12 @@ accuracy: $(DEV)
 
 spacing: $(DEV)
 	$(BIN)/python scripts/spacing.py
+
+ladder: $(DEV)
+	$(BIN)/python scripts/ladder.py
+
+cross-check: $(DEV)
+	$(BIN)/python scripts/cross_check.py
 
 $(FUZZ): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,fuzz]'

@@ -121,6 +121,12 @@ def test_a_car_that_hardly_moves_has_too_few_rows():
         by_distance(replace(log, U=np.full(log.samples, 0.3)), 0.5, wheelbase=2.7)
 
 
-def test_the_papers_regression_takes_rows_by_time_only():
+@pytest.mark.parametrize("estimator", ["paper", "band", "robust"])
+def test_filters_designed_in_hertz_take_rows_by_time_only(estimator):
     with pytest.raises(UsageError, match="equal times only"):
-        identify(drive(seconds=10), vehicle(), estimator="paper", spacing=0.5)
+        identify(drive(seconds=10), vehicle(), estimator=estimator, spacing=0.5)
+
+
+def test_output_error_takes_rows_by_distance():
+    run = identify(drive(seconds=40, rms=0.01), vehicle(), estimator="output_error", spacing=0.5)
+    assert run.K.lo < CAR["K"] < run.K.hi

@@ -1,4 +1,4 @@
-"""The one call of the library reaches both estimators, and each says who it is."""
+"""The one call of the library reaches every estimator, and each says who it is."""
 
 import pytest
 
@@ -8,8 +8,8 @@ from similitude.identification import identify
 from .simulated_drive import drive, vehicle
 
 
-@pytest.mark.parametrize("estimator", ["population", "paper"])
-def test_both_estimators_answer_through_the_same_call(estimator):
+@pytest.mark.parametrize("estimator", ["population", "paper", "band", "output_error", "robust"])
+def test_every_estimator_answers_through_the_same_call(estimator):
     run = identify(drive(seconds=20), vehicle(), estimator=estimator)
     assert run.estimator == estimator
     assert len(run.trace.K) == run.log.samples

@@ -126,3 +126,14 @@ def test_nothing_is_judged_where_there_is_nothing_to_judge(what):
     else:
         assert found["predictions"] == 0
         assert found["rms"]["estimate"] is None and found["ratio_to_frozen"] is None
+
+
+def test_another_estimator_s_K_is_judged_in_the_average_vehicle():
+    """The population's mean as that K is the frozen average itself; the truth is better."""
+    setup = setup_of(drive(seconds=40, rms=0.01))
+    rows = np.ones(setup.log.samples)
+    average = predict_ahead(setup, K=PRIOR.mean[0] * rows)
+    true = predict_ahead(setup, K=CAR["K"] * rows)
+
+    assert average["ratio_to_frozen"] == pytest.approx(1.0, rel=1e-12)
+    assert true["ratio_to_frozen"] < 0.8

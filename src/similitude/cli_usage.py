@@ -11,8 +11,7 @@ import typer
 
 from similitude.errors import UnitError, UsageError
 
-ESTIMATORS = ("population", "batch", "paper")
-NOT_BUILT_YET = ("band", "output_error", "robust")
+ESTIMATORS = ("population", "batch", "robust", "output_error", "band", "paper")
 
 
 def read_mapping(pairs: Sequence[str]) -> dict[str, str]:
@@ -125,15 +124,13 @@ def check_estimator(name: str) -> None:
     Raises
     ------
     UsageError
-        It is not known, or planned and not built yet.
+        It is not known.
     """
     if name in ESTIMATORS:
         return
     near = difflib.get_close_matches(name, ESTIMATORS, n=1)
-    planned = name in NOT_BUILT_YET
     raise UsageError(
-        f"--estimator '{name}' {'is planned but not built yet' if planned else 'is not known'}; "
-        f"there are {' and '.join(ESTIMATORS)}",
+        f"--estimator '{name}' is not known; there are {' and '.join(ESTIMATORS)}",
         usually="the default is what is wanted: the population filter, which needs no tuning.",
         paste=f"--estimator {near[0] if near else ESTIMATORS[0]}",
         read='docs/identify.md, "The command"',

@@ -7,8 +7,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from similitude.estimators.band import band_regression
+from similitude.estimators.output_error import output_error_method
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
+from similitude.estimators.robust import robust_regression
 from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
@@ -21,11 +24,8 @@ DIRECTORY = Path(__file__).parent / "generated"
 def shipped() -> tuple[Program, ...]:
     """The step programs that ship with the package."""
     reduction = bicycle_reduction()
-    return (
-        population_filter(saturating_bicycle_reduction()),
-        population_filter(reduction),
-        paper_regression(reduction),
-    )
+    makers = (population_filter, paper_regression, band_regression, output_error_method, robust_regression)
+    return (population_filter(saturating_bicycle_reduction()), *(make(reduction) for make in makers))
 
 
 def texts() -> dict[str, str]:

@@ -26,7 +26,7 @@ def identify(
     ----------
     log : Log            t [s], delta [rad], r [rad/s], U [m/s].
     vehicle : Vehicle    with a wheelbase.
-    estimator : ``population`` (default), ``batch`` or ``paper``.
+    estimator : ``population`` (default), ``batch``, ``robust``, ``output_error``, ``band`` or ``paper``.
     spacing : float      estimate from rows at equal distances of so many metres instead of from
                          those of the log; the Run still has one row for each row of the log.
 
@@ -63,8 +63,13 @@ def _by_time(log: Log, vehicle: Vehicle, estimator: str) -> Run:
         from similitude.identify_paper import identify_paper
 
         return identify_paper(log, vehicle)
+    if estimator in ("robust", "output_error", "band"):
+        from similitude.identify_ladder import identify_ladder
+
+        return identify_ladder(log, vehicle, estimator=estimator)
     raise UsageError(
-        f"there is no estimator {estimator!r} (there are population, batch, paper)",
+        f"there is no estimator {estimator!r} "
+        "(there are population, batch, robust, output_error, band, paper)",
         usually="the name was misspelt.",
         paste='identify(log, vehicle, estimator="population")',
         read='docs/identify.md, "Estimators"',
@@ -75,10 +80,10 @@ def _by_distance(log: Log, vehicle: Vehicle, estimator: str, spacing: float) -> 
     """The same on rows at equal distances, told at the rows of the log."""
     from similitude.distance_sampling import at_rows_of, by_distance
 
-    if estimator == "paper":
+    if estimator in ("paper", "band", "robust"):
         raise UsageError(
-            "the paper's regression is given rows at equal times only; a spacing was asked for",
-            usually="its high-pass filters are designed in Hz; the population filter takes either.",
+            f"the filters of {estimator!r} take rows at equal times only; a spacing was asked for",
+            usually="they are designed in Hz; the population filter takes either.",
             paste='identify(log, vehicle, spacing=0.4, estimator="population")',
             read='docs/filter.md, "Sampling by distance"',
         )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from similitude.cross_check import cross_check, sentence
 from similitude.filter_run import Pass, Setup, side_by_side
 from similitude.handling import handling
 from similitude.identify_setup import (
@@ -36,6 +37,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     ready = with_fitted_lag(ready, batch)
     setup, prior, scan = ready.setup, ready.prior, ready.scan
     done, lag_spread = _passes(setup, scan)
+    check = cross_check(ready, done)
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
     seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
     code, reason = verdict(seen)
@@ -63,10 +65,16 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
         lag=scan,
         prediction=predict_ahead(setup, batch),
         handling=handling(values, covariance, L=setup.L, U=usual_speed(done), mass=vehicle.m),
-        warnings=(*log.warnings, *warnings_of(ready, batch, learnt=learnt), *doubts),
+        warnings=(
+            *log.warnings,
+            *([sentence(check)] if check and check.structure_error else []),
+            *warnings_of(ready, batch, learnt=learnt),
+            *doubts,
+        ),
         assumed=assumed_of(ready),
         Caf=axle_stiffness(vehicle, K),
         batch=reported(batch) if batch else None,
+        cross_check=check,
     )
 
 

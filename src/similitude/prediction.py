@@ -29,9 +29,16 @@ class _Start:
     config: NDArray[np.float64]
     state: NDArray[np.float64]
     rows: NDArray[np.float64]
+    K: NDArray[np.float64] | None = None  # (n,) put in place of the state's own before each prediction
 
 
-def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: bool = True) -> dict[str, Any]:
+def predict_ahead(
+    setup: Setup,
+    batch: BatchFit | None = None,
+    *,
+    recursive: bool = True,
+    K: NDArray[np.float64] | None = None,
+) -> dict[str, Any]:
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
     Against the average car with linear tyres (with offset and bias followed), the batch fit's car
@@ -43,6 +50,8 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
     setup : Setup        of the log.
     batch : BatchFit     of the same log, or None.
     recursive : bool     whether the estimate that is judged is the filter's; else it is the batch fit's.
+    K : (n,)             another estimator's K at every row [m^2/s^2], to be judged in place of the filter's;
+                         the other groups are the population's averages, offset and bias are followed.
 
     Returns
     -------
@@ -53,7 +62,9 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
     rows = setup.samples()
     averages = replace(setup, library=shipped(LINEAR))
     starts = {"frozen_averages": _started(averages, rows, **FROZEN)}
-    if recursive:
+    if K is not None:
+        starts["estimate"] = replace(_started(averages, rows, **FROZEN), K=K)
+    elif recursive:
         starts["estimate"] = _started(setup, rows)
     if batch is not None:
         held = replace(batch.frozen, setup=replace(setup, library=batch.frozen.setup.library))
@@ -61,7 +72,7 @@ def predict_ahead(setup: Setup, batch: BatchFit | None = None, *, recursive: boo
         starts["batch"] = _Start(held.setup, config, state, held.rows(batch.x))
     done = side_by_side([lambda start=start: _ahead(start) for start in starts.values()])
     ahead = dict(zip(starts, done, strict=True))
-    if not recursive:
+    if not recursive and K is None:
         ahead["estimate"] = ahead["batch"]
     _, measured, kinematic = ahead["estimate"]
     order = ("estimate", "frozen_averages", *(["batch"] if batch is not None else []))
@@ -105,8 +116,10 @@ def _ahead(start: _Start) -> tuple[NDArray[np.float64], NDArray[np.float64], NDA
     column = library.index("output", "predicted")
     bias = library.index("state", "output_bias")
     predicted, kinematic = np.full(len(moments), np.nan), np.full(len(moments), np.nan)
-    at = 0
+    at, own = 0, library.index("state", "K")
     for i, moment in enumerate(moments):
+        if start.K is not None:
+            state[own] = start.K[moment]
         _, status = library.run(config, state, samples[at : moment + 1])
         at = moment + 1
         if status[-1] in (codes["too_slow"], codes["bad_sample"], codes["no_measurement"]):

@@ -75,6 +75,26 @@ class Batch:
     halves: Mapping[str, float]
 
 
+@dataclass(frozen=True)
+class CrossCheck:
+    """The filter's K against that of an estimator of another kind over the same stretch of the log.
+
+    ``K`` is that of the other, ``population`` the filter's own; ``apart`` is their difference as a share
+    of it, ``std`` the sd that it would have if both were right; ``average_apart`` and ``average_std`` are
+    the same with the other's groups at the population's averages; ``unknowns`` is how many the drive let
+    the other carry.
+    """
+
+    K: Estimate
+    population: Estimate
+    apart: float
+    std: float
+    average_apart: float
+    average_std: float
+    unknowns: int
+    structure_error: bool
+
+
 @dataclass(frozen=True, eq=False)
 class Trace:
     """The estimate row by row, (n,) each; ``innovation`` is NaN where nothing was measured."""
@@ -116,6 +136,7 @@ class Run:
     Caf: Estimate | None = None
     alarms: tuple = ()
     batch: Batch | None = None
+    cross_check: CrossCheck | None = None
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:

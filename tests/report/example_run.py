@@ -96,7 +96,7 @@ def example_run(
         warnings=("a gap of 1.8 s at t = 18.0 s: the vehicle's motion was started anew there",
                   "12 samples (0.2 %) of r have no value: counted as no measurement"),
         assumed=_assumed(),
-        batch=None,
+        batch=None, cross_check=None,
         Caf=_estimate(K[-1] * 2010 / 2.69, ln_K_std[-1], "N/rad") if with_mass else None,
     )  # fmt: skip
 

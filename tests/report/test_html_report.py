@@ -137,3 +137,18 @@ def test_a_real_run_is_told_whole(told, estimator):
     assert "Toyota RAV4" in said.text
     assert EVIL in said.text
     assert len(said.data["charts"]["estimate"]["lines"][0]["y"]) > 100
+
+
+def test_a_cross_check_is_told_with_both_numbers_and_how_far_apart_they_are(example_run, told):
+    run = example_run(800)
+    assert "Cross-check" not in told(run).text
+
+    K = SimpleNamespace(value=118.0, std=9.0, lo=101.0, hi=137.0, unit="m^2/s^2")
+    run.cross_check = SimpleNamespace(
+        K=K, population=run.K, apart=-0.31, std=0.06, average_apart=-0.2, average_std=0.11, unknowns=4,
+        structure_error=False,
+    )  # fmt: skip
+    assert "Two estimators of different kinds agree" in told(run).text
+    run.cross_check.structure_error = True
+    said = told(run).text
+    assert "disagree" in said and "−31.0 %" in said and "5.2 sd" in said

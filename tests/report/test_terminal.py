@@ -1,4 +1,5 @@
 import io
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -86,3 +87,11 @@ def test_a_long_scan_is_shortened_and_keeps_its_minimum(example_run):
 def test_a_lag_from_the_vehicle_file_has_no_curve(example_run):
     text = cost_curve(example_run(200, scanned=False).lag).plain
     assert text == "40 ms   vehicle file"
+
+
+def test_the_second_opinion_stands_beside_the_first(example_run):
+    run = example_run(500)
+    K = SimpleNamespace(value=118.0, std=9.0, lo=101.0, hi=137.0, unit="m^2/s^2")
+    run.cross_check = SimpleNamespace(K=K)
+
+    assert "K, 2nd" in _page(run) and "118" in _page(run)

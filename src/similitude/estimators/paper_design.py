@@ -11,6 +11,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from similitude.estimators.bessel import bessel_sections
 from similitude.program.library import Library
 
 GRAVITY = 9.80665  # m/s^2
@@ -54,11 +55,7 @@ def bessel_biquads(sample_time: float, *, corner: float = CORNER) -> NDArray[np.
     -------
     sections : (2, 5) numbers b0, b1, b2, a1, a2 of each section, a0 = 1 [-].
     """
-    from scipy import signal
-
-    analog = signal.bessel(4, corner, "highpass", analog=True, output="zpk", norm="phase")
-    sections = signal.zpk2sos(*signal.bilinear_zpk(*analog, fs=1.0 / sample_time))
-    return np.delete(sections, 3, axis=1)
+    return bessel_sections("high", corner, sample_time)
 
 
 def paper_config(

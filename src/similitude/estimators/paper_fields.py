@@ -6,10 +6,9 @@ Invariant: sample and output begin as those of the population filter do, so one 
 from __future__ import annotations
 
 from similitude.estimators import filter_fields as ff
+from similitude.estimators.biquad_section import BIQUAD
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Field
-
-BIQUAD = ("b0", "b1", "b2", "a1", "a2")  # order of a section's numbers, a0 = 1
 
 
 def config_fields(r: Regression) -> tuple[Field, ...]:

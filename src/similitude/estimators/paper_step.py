@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from similitude.estimators.paper_fields import BIQUAD, state_fields
-from similitude.estimators.paper_gates import HALF, S, at_now, at_scale_of_now, gates, set_status
+from similitude.estimators.biquad_section import section
+from similitude.estimators.held_sample import HALF, S, at_now, set_status
+from similitude.estimators.paper_fields import state_fields
+from similitude.estimators.paper_gates import at_scale_of_now, gates
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 
@@ -67,21 +69,10 @@ def _predict() -> list[Statement]:
 
 def _filter() -> list[Statement]:
     return [
-        *_biquad(S("u_now"), 1, "input", "input_half"),
-        *_biquad(S("input_half"), 2, "input", "input_filtered"),
-        *_biquad(S("y_now"), 1, "output", "output_half"),
-        *_biquad(S("output_half"), 2, "output", "output_filtered"),
-    ]
-
-
-def _biquad(x: sp.Symbol, section: int, signal: str, name: str) -> list[Assign]:
-    """One section, direct form II transposed; its output is the temporary ``name``."""
-    b0, b1, b2, a1, a2 = (S(f"biquad_{section}_{i}") for i in range(len(BIQUAD)))
-    first, second = (f"{signal}_memory_{2 * section - 2 + i}" for i in range(2))
-    return [
-        Assign(name, b0 * x + S(first)),
-        Assign(first, b1 * x - a1 * S(name) + S(second)),
-        Assign(second, b2 * x - a2 * S(name)),
+        *section(S("u_now"), 1, "input", "input_half"),
+        *section(S("input_half"), 2, "input", "input_filtered"),
+        *section(S("y_now"), 1, "output", "output_half"),
+        *section(S("output_half"), 2, "output", "output_filtered"),
     ]
 
 

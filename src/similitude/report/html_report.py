@@ -35,7 +35,7 @@ from similitude.report.html_page import (
 from similitude.report.numerals import plain, uncertain
 
 if TYPE_CHECKING:
-    from similitude.run import Run
+    from similitude.run import CrossCheck, Run
 
 TONES = {
     "identified": "good",
@@ -69,6 +69,8 @@ def html_report(run: Run, record: Mapping[str, Any]) -> str:
     if run.warnings:
         parts.append(section("Warnings", bullets(run.warnings)))
     parts += [_glance(run, charts), _estimate(run, charts)]
+    if run.cross_check is not None:
+        parts.append(_cross_check(run.cross_check))
     if run.handling:
         parts.append(_handling(run))
     if run.groups:
@@ -130,6 +132,20 @@ def _range(values: np.ndarray) -> str:
 def _estimate(run: Run, charts: Mapping[str, Chart]) -> Html:
     names = ("estimate", "yaw-rate", "innovation", "information")
     return section("Estimate", html_tables.answer_table(run), *(figure(name, charts[name]) for name in names))
+
+
+def _cross_check(check: CrossCheck) -> Html:
+    """One sentence on whether two estimators of different kinds agree, and both numbers."""
+    told = (
+        f"They differ by {100 * check.apart:+.1f} %, with an sd of {100 * check.std:.1f} % were both right: "
+    )
+    told += f"{abs(check.apart) / check.std:.1f} sd; with the population's average groups in robust "
+    told += f"{abs(check.average_apart) / check.average_std:.1f} sd."
+    what = "Two estimators of different kinds agree."
+    if check.structure_error:
+        what = "Two estimators of different kinds disagree: an error of the structure, see the warnings."
+    shown = html_tables.cross_check_table(check)
+    return section("Cross-check", paragraph(what), shown, paragraph(told.replace("-", "−"), quiet=True))
 
 
 def _handling(run: Run) -> Html:

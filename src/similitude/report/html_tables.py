@@ -28,7 +28,7 @@ from similitude.report.terminal import PREDICTORS
 from similitude.status import MEANING, NAMES
 
 if TYPE_CHECKING:
-    from similitude.run import Assumed, Estimate, Group, Nuisance, Run
+    from similitude.run import Assumed, CrossCheck, Estimate, Group, Nuisance, Run
 
 
 def answer_table(run: Run) -> Html:
@@ -39,6 +39,17 @@ def answer_table(run: Run) -> Html:
     rows.append(("π3", strong(value), std, "", "", at_speed))
     if run.Caf is not None:
         rows.append(_estimate_row("Caf", run.Caf, "both front tyres, with the stated m and L"))
+    return table(["", "value", "± sd", "95 %", "unit", "meaning"], rows, numeric=(1, 2, 3))
+
+
+def cross_check_table(check: CrossCheck) -> Html:
+    """The filter's K over the last stretch and that of the estimator of another kind."""
+    rows = [
+        _estimate_row("population", check.population, "the filter, over the same stretch"),
+        _estimate_row(
+            "robust", check.K, f"from what a change of steer does at once; {check.unknowns} unknowns"
+        ),
+    ]
     return table(["", "value", "± sd", "95 %", "unit", "meaning"], rows, numeric=(1, 2, 3))
 
 

@@ -48,6 +48,7 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
             "pi3": run.pi3,
             "Caf": None if run.Caf is None else _estimate(run.Caf),
             "batch": None if run.batch is None else _batch(run.batch),
+            "cross_check": None if run.cross_check is None else _cross_check(run.cross_check),
             "groups": {name: _group(group) for name, group in run.groups.items()},
             "nuisance": {
                 name: {"value": found.value, "std": found.std, "unit": found.unit}
@@ -132,6 +133,20 @@ def _batch(found) -> dict[str, Any]:
         "correlation": found.correlation,
         "widened": found.widened,
         "halves": {**found.halves, "unit": found.K.unit},
+    }
+
+
+def _cross_check(found) -> dict[str, Any]:
+    return {
+        "estimator": "robust",
+        **_estimate(found.K),
+        "population": _estimate(found.population),
+        "apart": found.apart,
+        "apart_std": found.std,
+        "average_apart": found.average_apart,
+        "average_apart_std": found.average_std,
+        "unknowns": found.unknowns,
+        "structure_error": found.structure_error,
     }
 
 

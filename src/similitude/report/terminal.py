@@ -125,6 +125,8 @@ def _answer(run: Run) -> Table:
     table.add_row(Text("π3"), _plus_minus(value, std, ""), "", Text(at_speed, style=QUIET))
     if run.batch is not None and run.estimator != "batch":
         _add_estimate(table, "K, all", run.batch.K, "one car fitted to the whole log")
+    if run.cross_check is not None:
+        _add_estimate(table, "K, 2nd", run.cross_check.K, "from what a steer does at once")
     if run.Caf is not None:
         _add_estimate(table, "Caf", run.Caf, "both front tyres, given m, L")
     return table
