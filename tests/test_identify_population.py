@@ -282,7 +282,8 @@ def test_turning_left_is_turning_right_and_the_clock_may_start_anywhere():
     assert np.array_equal(mirrored.trace.K, run.trace.K)
     assert np.array_equal(mirrored.trace.r_predicted, -run.trace.r_predicted)
     later = identify(log_of(log.t + 1024.0, log.delta, log.r, log.U), vehicle())
-    assert later.K.value == pytest.approx(run.K.value, rel=1e-6)  # dt loses 1e-13 s
+    # dt loses 1e-13 s, and the fitted lag is rounded to 0.1 ms, which moves K by a thousandth at most
+    assert later.K.value == pytest.approx(run.K.value, rel=1e-3)
 
 
 # ---- what is said ---------------------------------------------------------------------------
