@@ -33,7 +33,8 @@ FLOW = (
     "inspection",
     "report",
     "simulate systems generate",
-    "cli_complaint cli_usage cli_inspect cli",
+    "simulation",
+    "cli_complaint cli_usage cli_inspect cli_simulate cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

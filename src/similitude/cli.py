@@ -18,6 +18,7 @@ import typer
 
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_inspect import inspect
+from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
@@ -122,6 +123,7 @@ def identify(
 
 
 app.command()(inspect)
+app.command()(simulate)
 
 
 @app.command()
