@@ -66,24 +66,22 @@ class TwoTrack:
         """Return the derivative of each state, each a float or (cars,) per second."""
         car, on, body = self.car, self.on, self.body
         _, _, psi, v, r, q = state
-        U = push.U
-        moment = push.moment
-        axles = []
+        delta, U, force, moment, pull = push[:5]
+        way = (on.sin(psi), on.cos(psi))
         shift, L = body.height * push.ax, car.L
-        for at, C, rest, delta, share in (
-            (car.a, car.Caf, car.m * (GRAVITY * car.b - shift) / L, push.delta, body.front_roll_share),
-            (-car.b, car.Car, car.m * (GRAVITY * car.a + shift) / L, 0.0, 1.0 - body.front_roll_share),
-        ):
-            transfer = car.m * body.height * q / body.track * share
-            sideways, pulling = self._axle(state, push, at, 0.5 * C, 0.5 * rest, transfer, delta)
-            axles.append(sideways * on.cos(delta))
-            moment = moment + pulling
-        v_dot = (axles[0] + axles[1] + push.force) / car.m + push.pull - U * r
-        r_dot = (car.a * axles[0] - car.b * axles[1] + moment) / car.Iz
-        sin, cos = on.sin(psi), on.cos(psi)
-        # the road's bank rolls the body too: what rolls it is what the tyres must carry
-        q_dot = (v_dot + U * r - push.pull - q) / body.roll_time
-        return [U * cos - v * sin, U * sin + v * cos, r, v_dot, r_dot, q_dot]
+        load_f = 0.5 * car.m * (GRAVITY * car.b - shift) / L
+        load_r = 0.5 * car.m * (GRAVITY * car.a + shift) / L
+        moved = car.m * body.height * q / body.track
+        moved_f = moved * body.front_roll_share
+        front, pull_f = self._axle(state, push, way, car.a, 0.5 * car.Caf, load_f, moved_f, delta)
+        rear, pull_r = self._axle(state, push, way, -car.b, 0.5 * car.Car, load_r, moved - moved_f, 0.0)
+        front = front * on.cos(delta)
+        side = (front + rear + force) / car.m
+        r_dot = (car.a * front - car.b * rear + moment + pull_f + pull_r) / car.Iz
+        # what rolls the body is what the tyres carry, not the pull of the bank
+        q_dot = (side - q) / body.roll_time
+        sin, cos = way
+        return [U * cos - v * sin, U * sin + v * cos, r, side + pull - U * r, r_dot, q_dot]
 
     def look(self, state: Sequence[Any], push: Push) -> Output:
         """Return what is seen of a state; `ay` is 0, it needs the forces."""
@@ -97,27 +95,28 @@ class TwoTrack:
         seen = Output(*state[:5], before.U, before.delta, rates[3] + before.U * state[4])
         return moved, seen
 
-    def _axle(self, state, push, at, C, rest, transfer, delta) -> tuple[Any, Any]:
+    def _axle(self, state, push, way, at, C, rest, moved, delta) -> tuple[Any, Any]:
         """Lateral force [N] of an axle `at` metres before the centre, and its braking moment [N m].
 
-        C and rest are stiffness and load of one wheel; turning left, load moves to the right.
+        C and rest are stiffness and load of one wheel; turning left, `moved` goes to the right one.
         """
-        on, half = self.on, 0.5 * self.body.track
-        x, y, psi, v, r, _ = state
+        on, half, ax, patches = self.on, 0.5 * self.body.track, push.ax, push.patches
+        x, y, _, v, r, _ = state
+        sin, cos = way
+        stiffness, friction = push.stiffness, push.friction
+        sideways, least = v + at * r, _LEAST_LOAD * rest
         force, pulling = 0.0, 0.0
-        for side, left in (("left", 1.0), ("right", -1.0)):
-            stiffness, friction = push.stiffness, push.friction
-            if push.patches:
-                sin, cos = on.sin(psi), on.cos(psi)
-                there = x + at * cos - left * half * sin, y + at * sin + left * half * cos
+        for side, out in (("left", half), ("right", -half)):
+            if patches:
+                there = (x + at * cos - out * sin, y + at * sin + out * cos)
                 stiffness, friction = surface_at(push, *there, side, on)
-            load = on.maximum(rest - left * transfer, _LEAST_LOAD * rest)
+            load = on.maximum(rest - moved if out > 0 else rest + moved, least)
             z = load / rest
-            slip = delta - on.atan((v + at * r) / (push.U - left * half * r))
+            slip = delta - on.atan(sideways / (push.U - out * r))
             C_i = C * stiffness * z * (1.0 - self.body.load_sensitivity * (z - 1.0))
-            most = axle_limit(load, friction, push.ax, on)
+            most = axle_limit(load, friction, ax, on)
             force = force + lateral_force(self.tyre, C_i, slip, most, on)
-            if push.ax != 0.0:
-                used = on.minimum(abs(push.ax) / (friction * GRAVITY), MOST_BRAKING)
-                pulling = pulling - left * half * on.sign(push.ax) * used * friction * load
+            if ax != 0.0:
+                used = on.minimum(abs(ax) / (friction * GRAVITY), MOST_BRAKING)
+                pulling = pulling - out * on.sign(ax) * used * friction * load
         return force, pulling
