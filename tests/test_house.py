@@ -34,7 +34,7 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_inspect cli_simulate cli",
+    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

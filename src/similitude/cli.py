@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_inspect import inspect
 from similitude.cli_simulate import simulate
@@ -124,6 +125,7 @@ def identify(
 
 app.command()(inspect)
 app.command()(simulate)
+app.command()(compare)
 
 
 @app.command()

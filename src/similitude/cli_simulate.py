@@ -25,7 +25,8 @@ def simulate(
     out: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE.csv|.parquet", help="The log; its vehicle file and its truth go beside it.",
+            metavar="FILE.csv|.parquet",
+            help="The log; its vehicle file and its truth go beside it.",
             show_default="<scenario>.csv",
         ),
     ] = None,
@@ -145,4 +146,6 @@ def _print(scenario, recording, files: dict[str, str]) -> None:
     for warning in recording.warnings:
         typer.echo(f"  note: {warning}")
     log, vehicle = shlex.quote(files["log"]), shlex.quote(files["vehicle"])
+    folder = shlex.quote(f"similitude-out/{Path(files['log']).stem}")
     typer.echo(f"next: similitude identify {log} --vehicle {vehicle}")
+    typer.echo(f"then: similitude compare {folder} {shlex.quote(files['truth'])}")

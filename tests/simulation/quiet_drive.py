@@ -8,7 +8,14 @@ TWO_TRACK = {
     "kind": "two_track", "tyre": "cubic", "height": "0.55 m", "track": "1.55 m", "front_roll_share": 0.55,
     "roll_time": "0.15 s",
 }  # fmt: skip
-CAR = {"L": "2.7 m", "a": "1.2 m", "m": "1500 kg", "Iz": "2600 kg m^2", "Caf": "82 kN/rad", "Car": "98 kN/rad"}
+CAR = {
+    "L": "2.7 m",
+    "a": "1.2 m",
+    "m": "1500 kg",
+    "Iz": "2600 kg m^2",
+    "Caf": "82 kN/rad",
+    "Car": "98 kN/rad",
+}
 
 
 def quiet(plant=LINEAR, **changes):

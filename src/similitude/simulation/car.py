@@ -1,7 +1,7 @@
 """The car that is driven: its true values, and how they are drawn from what is stated of them.
 
-    L = a + b wheelbase [m];  m mass [kg];  Iz yaw inertia [kg m^2];  Caf, Car cornering stiffness
-    of the axles [N/rad];  K = Caf L/m [m^2/s^2];  pi1 = a/L;  eta = Car b/(Caf a);  rho = Iz/(m a b)
+L = a + b wheelbase [m];  m mass [kg];  Iz yaw inertia [kg m^2];  Caf, Car cornering stiffness
+of the axles [N/rad];  K = Caf L/m [m^2/s^2];  pi1 = a/L;  eta = Car b/(Caf a);  rho = Iz/(m a b)
 """
 
 from __future__ import annotations

@@ -17,11 +17,12 @@ from similitude.errors import ScenarioError
 from similitude.simulation.actuator import Chain, wheel_angle
 from similitude.simulation.arithmetic import FLOATS, Arithmetic, arithmetic_for
 from similitude.simulation.car import Car, generator
-from similitude.simulation.foreign import ForeignPlant
+from similitude.simulation.foreign import SLOWEST, ForeignPlant
 from similitude.simulation.lqr import Follower, Lqr
 from similitude.simulation.plant import Output, Plant, Push
 from similitude.simulation.road import Felt, feel, wander
-from similitude.simulation.scenario import Commonroad, Linear, Scenario, TwoTrackKeys
+from similitude.simulation.scenario import Scenario
+from similitude.simulation.sections import Commonroad, Linear, TwoTrackKeys
 from similitude.simulation.sensors import errors_of, reading
 from similitude.simulation.single_track import SingleTrack
 from similitude.simulation.two_track import Body, TwoTrack
@@ -32,6 +33,8 @@ Estimate = Callable[[float, Any, Any, Any], Any]
 READ = 'docs/simulate.md, "Scenario files"'
 # A step of the method moves a mode of rate λ by exp(λ h) up to (λ h)^5/120: 0.06 % at this.
 _MOST_PER_STEP = 0.6
+_FASTEST_TURN = 1e3  # rad/s
+_LOOK_EVERY = 200  # ticks
 
 
 @dataclass(frozen=True)
@@ -55,9 +58,7 @@ class Motion:
     felt: Felt
 
 
-def drive(
-    scenario: Scenario, car: Car, seeds: Sequence[int], estimate: Estimate | None = None
-) -> Motion:
+def drive(scenario: Scenario, car: Car, seeds: Sequence[int], estimate: Estimate | None = None) -> Motion:
     """Drive the cars of a scenario, all at once.
 
     Parameters
@@ -92,7 +93,6 @@ def drive(
         else _Open(np.stack([scenario.driver.steer(t, seed) for seed in seeds], axis=1))
     )
     motion = _run(scenario, plant, way, pushes, t, seeds, on)
-    _check_finite(scenario, motion, seeds)
     wanted = scenario.driver.path.at(t) if is_closed else None
     return Motion(t, *motion, wanted, felt)
 
@@ -202,6 +202,8 @@ def _run(scenario, plant, way, pushes, t, seeds, on) -> tuple[Output, Array, Arr
     looked = plant.look(state, push)
     motion, commands, racks = [], [], []
     for k in range(n):
+        if k % _LOOK_EVERY == 0 or k == n - 1:
+            _check_bounds(scenario, looked.r, t[k], seeds, on)
         command, coming = way.command(k, looked, rack, on)
         commands.append(command)
         racks.append(rack)
@@ -215,9 +217,7 @@ def _run(scenario, plant, way, pushes, t, seeds, on) -> tuple[Output, Array, Arr
         looked = plant.look(state, push)
     columns = [np.asarray([getattr(one, name) for one in motion], dtype=float) for name in Output._fields]
     shape = (n,) if len(seeds) == 1 else (n, len(seeds))
-    columns = [
-        np.broadcast_to(x if x.ndim == len(shape) else x[:, None], shape) for x in columns
-    ]
+    columns = [np.broadcast_to(x if x.ndim == len(shape) else x[:, None], shape) for x in columns]
     return Output(*columns), np.asarray(commands, dtype=float), np.asarray(racks, dtype=float)
 
 
@@ -230,32 +230,35 @@ def _wander(scenario: Scenario, t: Array, seeds: Sequence[int]) -> Any:
 
 
 def _check_step(scenario: Scenario, car: Car, U: Array) -> None:
-    slowest = float(np.min(U))
-    if isinstance(scenario.plant, Commonroad) or slowest <= 0:
-        rate, longest = 0.0, 0.0
+    """Raise ScenarioError where the fastest motion is too fast for the step."""
+    if isinstance(scenario.plant, Commonroad):  # has a bound of its own
+        slowest, rate = float(np.min(U)) - SLOWEST, 0.0
     else:
+        slowest = float(np.min(U))
         stiffest = max([1.0, *(patch.stiffness for patch in scenario.road.surface)])
-        rate = car.fastest_rate(slowest) * stiffest
-        longest = _MOST_PER_STEP / rate
-    if slowest <= 0 or scenario.timing.step * rate > _MOST_PER_STEP * (1 + 1e-9):
-        raise ScenarioError(
-            f"{scenario.name}: at its slowest, {slowest:.4g} m/s, the car's motion has a rate of "
-            f"{rate:.4g} 1/s, too fast for steps of {1e3 * scenario.timing.step:.4g} ms",
-            usually="the speed profile goes lower than was meant; a car that stops has no lateral motion."
-            if slowest < 1 else "the step was chosen for a faster drive.",
-            paste=f'step = "{1e3 * longest:.3g} ms"' if longest else 'value = "20 m/s"',
-            read=READ,
-        )  # fmt: skip
+        rate = car.fastest_rate(slowest) * stiffest if slowest > 0 else np.inf
+    timing = scenario.timing
+    if slowest > 0 and timing.step * rate <= _MOST_PER_STEP * (1 + 1e-9):
+        return
+    too_slow = not np.isfinite(rate) or rate == 0.0
+    shorter = 1 / timing.log_rate / np.ceil(max(rate, 1.0) / (timing.log_rate * _MOST_PER_STEP))
+    raise ScenarioError(
+        f"{scenario.name}: at its slowest, {float(np.min(U)):.4g} m/s, the car's lateral motion is too fast "
+        f"for steps of {1e3 * timing.step:.4g} ms" + ("" if too_slow else f" (rate {rate:.4g} 1/s)"),
+        usually="the speed goes lower than was meant; the slower a car, the faster its lateral motion dies, "
+        "and one that stands has none.",
+        paste='at_least = "3 m/s"' if too_slow else f'step = "{1e3 * shorter:.10g} ms"',
+        read=READ,
+    )
 
 
-def _check_finite(scenario: Scenario, motion: tuple, seeds: Sequence[int]) -> None:
-    seen = motion[0]
-    wild = ~np.isfinite(seen.r + seen.v + seen.y)
-    if wild.any():
-        row, *car = np.argwhere(wild)[0]
+def _check_bounds(scenario: Scenario, r: Any, t: float, seeds: Sequence[int], on: Arithmetic) -> None:
+    """Raise ScenarioError where some car turns faster than any car can, or is no number any more."""
+    wild = on.where(abs(r) <= _FASTEST_TURN, 0.0, 1.0)
+    if on.any(wild):
         raise ScenarioError(
-            f"{scenario.name}: with seed {seeds[car[0] if car else 0]} the car's motion left all bounds "
-            f"at {row * scenario.timing.step:.4g} s",
+            f"{scenario.name}: with seed {seeds[int(np.argmax(wild))]} the car's motion left all bounds "
+            f"before {t:.4g} s",
             usually="an oversteering car above its critical speed, or a loop that is unstable on this road.",
             paste='duration = "10 s"',
             read=READ,

@@ -95,7 +95,5 @@ def runge_kutta(
     k3 = rates([x + half * k for x, k in zip(state, k2, strict=True)], middle)
     k4 = rates([x + step * k for x, k in zip(state, k3, strict=True)], at_the_end(before, after))
     sixth = step / 6.0
-    moved = [
-        x + sixth * (p + 2.0 * (q + s) + u) for x, p, q, s, u in zip(state, k1, k2, k3, k4, strict=True)
-    ]
+    moved = [x + sixth * (p + 2.0 * (q + s) + u) for x, p, q, s, u in zip(state, k1, k2, k3, k4, strict=True)]
     return moved, k1

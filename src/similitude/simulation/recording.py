@@ -1,7 +1,7 @@
 """From motion to the two tables of a drive: what the logger wrote, and the truth at the same rows.
 
-    log    t, delta or steering_wheel, r, U and, with an accelerometer, ay
-    truth  t and everything that was really so: K, pi3, sideslip, friction, position, forces
+log    t, delta or steering_wheel, r, U and, with an accelerometer, ay
+truth  t and everything that was really so: K, pi3, sideslip, friction, position, forces
 """
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from similitude.simulation.car import GRAVITY, Car, generator
 from similitude.simulation.loop import Estimate, Motion, drive, yaw_rate_errors
 from similitude.simulation.road import surface_under_axle
-from similitude.simulation.scenario import Commonroad, Scenario
+from similitude.simulation.scenario import Scenario
+from similitude.simulation.sections import Commonroad
 from similitude.simulation.sensors import errors_of, written
 
 Array = NDArray[np.float64]

@@ -227,7 +227,15 @@ def surface_at(push: Push, x: Any, y: Any, side: str, on: Arithmetic) -> tuple[A
 
 
 def surface_under_axle(
-    road: Road, felt: Felt, t: NDArray, x: NDArray, y: NDArray, psi: NDArray, *, ahead: float, half_track: float
+    road: Road,
+    felt: Felt,
+    t: NDArray,
+    x: NDArray,
+    y: NDArray,
+    psi: NDArray,
+    *,
+    ahead: float,
+    half_track: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Return stiffness factor and friction (n,) [-] of an axle, the mean of its two wheels.
 

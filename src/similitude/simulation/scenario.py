@@ -18,14 +18,14 @@ from typing import Any
 
 import numpy as np
 
-from similitude.dimension import FREQUENCY, LENGTH, TIME
 from similitude.errors import ScenarioError, UsageError, shown
 from similitude.simulation.actuator import Actuator
-from similitude.simulation.foreign import LARGEST_STEP, MODELS, VEHICLES
-from similitude.simulation.keys import NUMBER, READ, Place, choice, key, read_kind, read_table, refuse
+from similitude.simulation.foreign import LARGEST_STEP
+from similitude.simulation.keys import READ, Place, read_kind, read_table, refuse
 from similitude.simulation.lqr import Lqr
-from similitude.simulation.manoeuvres import MANOEUVRES, FromLog
+from similitude.simulation.manoeuvres import FromLog
 from similitude.simulation.road import Road
+from similitude.simulation.sections import DRIVERS, PLANTS, Commonroad, Timing, TwoTrackKeys
 from similitude.simulation.sensors import Sensors
 from similitude.simulation.speed import SPEEDS, Logged
 from similitude.simulation.stated_vehicle import StatedVehicle, read_stated_vehicle
@@ -33,60 +33,6 @@ from similitude.simulation.stated_vehicle import StatedVehicle, read_stated_vehi
 _NOTHING: Mapping[str, str] = {}
 
 
-@dataclass(frozen=True, kw_only=True)
-class Timing:
-    """How long, in which steps, and how often the logger writes."""
-
-    duration: float = key('"60 s"', TIME, "length of the drive", least=0.1, most=4e4)
-    step: float = key('"2 ms"', TIME, "step of the integration", least=1e-5, most=0.05)
-    log_rate: float = key('"100 Hz"', FREQUENCY, "rows a second", least=0.1, most=1e5)
-
-    @property
-    def rows_every(self) -> int:
-        """Steps from one row of the log to the next [-]."""
-        return round(1 / (self.log_rate * self.step))
-
-    @property
-    def ticks(self) -> int:
-        """Number of instants [-]: the first, and the end of every step."""
-        return round(self.duration / self.step) + 1
-
-
-@dataclass(frozen=True, kw_only=True)
-class Linear:
-    """The linear bicycle."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Saturating:
-    """One wheel an axle, tyres that saturate."""
-
-    tyre: str = choice("cubic", "brush", words="onset of saturation")
-    height: float = key('"0.55 m"', LENGTH, "centre of gravity above the road", default=0.0, least=0)
-
-
-@dataclass(frozen=True, kw_only=True)
-class TwoTrackKeys:
-    """Four wheels."""
-
-    tyre: str = choice("cubic", "brush", "linear", words="onset of saturation")
-    height: float = key('"0.55 m"', LENGTH, "centre of gravity above the road", least=0)
-    track: float = key('"1.55 m"', LENGTH, "distance of left and right wheels", least=1e-3)
-    front_roll_share: float = key("0.55", NUMBER, "share of load transfer at the front", least=0, most=1)
-    roll_time: float = key('"0.15 s"', TIME, "time constant of the roll", least=1e-3)
-    load_sensitivity: float = key("0.2", NUMBER, "loss of stiffness with load", default=0.0, least=0, most=1)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Commonroad:
-    """A car of the package commonroad-vehicle-models."""
-
-    model: str = choice(*MODELS, words="equations")
-    vehicle: str = choice(*VEHICLES, words="parameters")
-
-
-PLANTS = {"linear": Linear, "saturating": Saturating, "two_track": TwoTrackKeys, "commonroad": Commonroad}
-DRIVERS = {**MANOEUVRES, "lqr": Lqr}
 SECTIONS = ("run", "vehicle", "told", "plant", "speed", "driver", "actuator", "sensors", "road")
 
 
@@ -192,7 +138,7 @@ def _text(path: FilePath) -> str:
         raise ScenarioError(
             f"scenario file {path.name} cannot be read: {error}",
             usually="it is no text in UTF-8, or belongs to somebody else.",
-            paste="similitude simulate --show slalom > mine.toml",
+            paste="similitude simulate slalom --show > mine.toml",
             read=READ,
         ) from None
 
@@ -208,7 +154,7 @@ def _changed(document: dict, changes: Mapping[str, str]) -> dict:
                 raise UsageError(
                     f"'{dotted}' = {shown(value)} leads through '{section}', which is no single table",
                     usually="a list of tables, such as road.surface, is changed in a file of your own.",
-                    paste="similitude simulate --show slalom > mine.toml",
+                    paste="similitude simulate slalom --show > mine.toml",
                     read='docs/simulate.md, "The command"',
                 )
         inside[name] = _as_toml(value)
@@ -240,8 +186,10 @@ def _scenario(path: FilePath, text: str, document: dict) -> Scenario:
             )  # fmt: skip
     for name in ("run", "plant", "speed", "driver"):
         if name not in document:
-            refuse(place, "", f"section [{name}] is missing", paste=f"[{name}]",
-                   usually="it was left out; `similitude simulate --show slalom` prints a whole one.")  # fmt: skip
+            refuse(
+                place, "", f"section [{name}] is missing", paste=f"[{name}]",
+                usually="it was left out; `similitude simulate slalom --show` prints a whole one.",
+            )  # fmt: skip
     plant = read_kind(PLANTS, document["plant"], place.within("plant"))
     scenario = Scenario(
         name=path.stem,
@@ -298,7 +246,7 @@ def _check(scenario: Scenario, place: Place) -> None:
             run, "log_rate", f"a row every {1e3 / timing.log_rate:.6g} ms is no whole number of steps of "
             f"{1e3 * timing.step:.6g} ms",
             usually="the step was changed and the log's rate was not.",
-            paste=f'step = "{1e3 / timing.log_rate / max(1, math.ceil(500 / timing.log_rate)):.6g} ms"',
+            paste=f'step = "{1e3 / timing.log_rate / max(1, math.ceil(500 / timing.log_rate)):.10g} ms"',
         )  # fmt: skip
     is_foreign = isinstance(scenario.plant, Commonroad)
     if is_foreign and timing.step > LARGEST_STEP * (1 + 1e-9):

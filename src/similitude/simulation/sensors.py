@@ -1,7 +1,7 @@
 """From the truth to what a logger writes: delay, scale, bias, walk, noise, spikes, steps, gaps.
 
-    written = round((scale · truth(t − delay) + bias + walk + noise + spikes)/step) · step,
-    at the sensor's own rate, and nothing where a sample was lost.
+written = round((scale · truth(t − delay) + bias + walk + noise + spikes)/step) · step,
+at the sensor's own rate, and nothing where a sample was lost.
 """
 
 from __future__ import annotations
@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.dimension import ACCELERATION, FREQUENCY, SPEED, TIME
-from similitude.simulation.car import generator
 from similitude.simulation.keys import ANGLE, NUMBER, choice, key, table
 
 Array = NDArray[np.float64]

@@ -54,19 +54,21 @@ class Sinusoid:
 
 @dataclass(frozen=True, kw_only=True)
 class Logged:
-    """As in the log that gives the steer; made when that log is read, and not by a key.
+    """As in the log that gives the steer, whose rows are filled in when it is read.
 
     Parameters
     ----------
+    at_least : float       where the log is slower, this is driven [m/s]
     times, speeds : (n,)   [s], [m/s]
     """
 
+    at_least: float = key('"3 m/s"', SPEED, "driven where the log is slower", least=0.1, most=_FASTEST)
     times: NDArray[np.float64] | None = None
     speeds: NDArray[np.float64] | None = None
 
     def at(self, t: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the speed at times t (n,) [m/s]; before and after the log its ends."""
-        return np.interp(t, self.times, self.speeds)
+        return np.maximum(np.interp(t, self.times, self.speeds), self.at_least)
 
 
 SPEEDS = {"constant": Constant, "ramp": Ramp, "sinusoid": Sinusoid, "log": Logged}
