@@ -8,7 +8,7 @@ from similitude.errors import UsageError
 from similitude.log import read_log
 from similitude.simulation.recording import run_scenario
 from similitude.simulation.recording_files import file_names, write_recording
-from similitude.simulation.scenario import read_scenario
+from similitude.simulation.scenario import read_scenario, shipped
 from similitude.vehicle_file import read_vehicle
 
 CHANGES = {"run.duration": "5 s", "sensors.r.lost": "0.02", "sensors.U.rate": "20 Hz"}
@@ -59,3 +59,12 @@ def test_names_that_cannot_be_are_refused(recording, tmp_path):
     with pytest.raises(UsageError, match="cannot be written"):
         write_recording(recording, tmp_path / "file" / "drive.csv")
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize("name", sorted(shipped().keys() - {"multi_body", "drift"}))
+def test_a_shipped_scenario_writes_a_log_that_is_read(name, tmp_path):
+    scenario = read_scenario(name, changes={"run.duration": "4 s"})
+    files = write_recording(run_scenario(scenario, [1])[0], tmp_path / f"{name}.csv")
+
+    log = read_log(files["log"], vehicle=read_vehicle(files["vehicle"]))
+    assert log.duration == pytest.approx(4) and np.ptp(log.r) > 0
