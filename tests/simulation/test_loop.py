@@ -67,8 +67,13 @@ def test_feedback_through_the_gyro_turns_noise_into_steer():
 
 
 def test_a_schedule_that_believes_the_truth_and_one_that_is_told_it_agree():
-    changes = {"road": '{ surface = [{ begin = "1 s", stiffness = 0.5 }] }', "run__duration": "3 s", "driver__path__square": "2 cm", "run__step": "2 ms",
-               "run__log_rate": "500 Hz"}  # fmt: skip
+    changes = {
+        "road": '{ surface = [{ begin = "1 s", stiffness = 0.5 }] }',
+        "run__duration": "3 s",
+        "run__step": "2 ms",
+        "run__log_rate": "500 Hz",
+        "driver__path__square": "2 cm",
+    }
 
     def true_pi3(t, steer, r, U):
         return 0.27217 * (0.5 if t >= 1 - 1e-9 else 1.0)
