@@ -35,7 +35,8 @@ FLOW = (
     "distance_sampling identification",
     "report",
     "simulate systems generate",
-    "cli_complaint cli_usage cli_inspect cli",
+    "simulation",
+    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

@@ -14,7 +14,9 @@ _ROOMS = {
     "bicycle_response": "simulate",
     "identify": "identification",
     "read_log": "log",
+    "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
+    "run_scenario": "simulation.recording",
 }
 
 __all__ = sorted(_ROOMS)

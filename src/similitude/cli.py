@@ -16,8 +16,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_inspect import inspect
+from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
@@ -122,6 +124,8 @@ def identify(
 
 
 app.command()(inspect)
+app.command()(simulate)
+app.command()(compare)
 
 
 @app.command()

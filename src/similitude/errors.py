@@ -7,6 +7,7 @@
     ├── ModelError       a model whose units or names do not fit together
     ├── ProgramError     a step program that cannot be generated
     ├── CompileError     generated C that cannot be compiled or loaded
+    ├── ScenarioError    a scenario file with an unknown key or an impossible value
     └── UsageError       a command or call that cannot be carried out as written
 
 Invariant: every message of the product has all four parts; "invalid input" is never one of them.
@@ -82,6 +83,10 @@ class LogError(SimilitudeError):
 
 class VehicleError(SimilitudeError):
     """A vehicle file with an unknown key or an impossible value."""
+
+
+class ScenarioError(SimilitudeError):
+    """A scenario file with an unknown key, an impossible value or parts that do not fit together."""
 
 
 class ModelError(SimilitudeError):
