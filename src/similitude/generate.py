@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from similitude.estimators.monitor import monitor
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
 from similitude.program.c import print_c
@@ -20,7 +21,7 @@ DIRECTORY = Path(__file__).parent / "generated"
 def shipped() -> tuple[Program, ...]:
     """The step programs that ship with the package."""
     reduction = bicycle_reduction()
-    return (population_filter(reduction), paper_regression(reduction))
+    return (population_filter(reduction), monitor(reduction), paper_regression(reduction))
 
 
 def texts() -> dict[str, str]:
