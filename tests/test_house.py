@@ -27,7 +27,7 @@ FLOW = (
     "vehicle_prior filter_config coarse_log filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
-    "monitor_config change_alarm",
+    "monitor_config change_alarm information_meter time_scales saved_state drive_memory",
     "identify_setup",
     "identify_population identify_batch identify_paper",
     "distance_sampling identification",

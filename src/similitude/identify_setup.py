@@ -5,6 +5,7 @@ Invariant: the estimators differ in what they do with a setup, never in how it w
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +33,7 @@ UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
 SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
 AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
 SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
+FROM_STATE = "state file"
 APART = 3.0  # sd between the halves of a log: one log in 400 by chance
 
 
@@ -47,9 +49,11 @@ class Prepared:
     commanded: bool
 
 
-def prepare(log: Log, vehicle: Vehicle) -> Prepared:
-    """Prior, noise, steer lag and steer scale of a log."""
+def prepare(log: Log, vehicle: Vehicle, settings: Mapping[str, float] | None = None) -> Prepared:
+    """Prior, noise, steer lag and steer scale of a log; ``settings`` are those of the drives before it."""
     prior = vehicle_prior(vehicle)
+    if settings is not None:
+        return _as_before(log, vehicle, prior, settings)
     noise = gyro_noise(log.r, vehicle.yaw_rate_noise)
     setup = population_setup(
         log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD
@@ -58,6 +62,14 @@ def prepare(log: Log, vehicle: Vehicle) -> Prepared:
     commanded = looks_like_command(scan)
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
     return Prepared(vehicle, prior, noise, setup, scan, commanded)
+
+
+def _as_before(log: Log, vehicle: Vehicle, prior: Prior, settings: Mapping[str, float]) -> Prepared:
+    noise = SensorNoise(settings["yaw_rate_noise"], fresh=1.0, step=0.0)
+    scale, lag = settings["steer_scale_std"], settings["steer_lag"]
+    setup = population_setup(log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=scale)
+    scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE)
+    return Prepared(vehicle, prior, noise, setup.with_lag(lag, scale), scan, looks_like_command(scan))
 
 
 def whole_log(ready: Prepared, done: Pass) -> BatchFit:
@@ -175,8 +187,12 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
         "population": Assumed(vehicle.population, "-", vehicle.origins.get("population", "default")),
         "L": Assumed(ready.setup.L, "m", vehicle.origins.get("L", "vehicle file")),
         "yaw_rate_noise": Assumed(
-            ready.noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
+            ready.noise.std, "rad/s", "vehicle file" if stated else _noise_origin(scan)
         ),
         "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
         "steer_scale_std": Assumed(ready.setup.input_scale_sd, "-", scale),
     }
+
+
+def _noise_origin(scan: LagScan) -> str:
+    return FROM_STATE if scan.origin == FROM_STATE else "estimated from the log"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -116,6 +117,10 @@ class Run:
     Caf: Estimate | None = None
     alarms: tuple = ()
     batch: Batch | None = None
+    monitor: Mapping[str, float | str] | None = None  # share of the log it was armed, false alarms
+    information: Mapping[str, float | str | None] | None = None  # in the driver's terms
+    time_scales: Mapping[str, Mapping[str, float]] | None = None  # of the tyre and of the road
+    memory: Any = None  # a SavedState to take up with the next drive
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:
