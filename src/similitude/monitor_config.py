@@ -49,7 +49,7 @@ DESIGN = {
     "validity_limit": 4.0,  # m/s^2: a saturating tyre looks like a softer one
     "validity_rate": 1.0,  # 1/s
 }
-THRESHOLD = 8.5
+THRESHOLD = 9.0
 BETWEEN_FALSE_ALARMS = 20.0  # h, with that threshold
 MEASURED = ((5.0, 1.0), (6.0, 4.0), (8.0, 20.0))  # threshold of a fall, hours between false alarms
 RISE_MORE = 4.0  # a fall is a danger, a rise is not
