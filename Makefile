@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy spacing ladder cross-check clean
+.PHONY: demo test check fuzz bench accuracy alarms spacing ladder cross-check clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -25,6 +25,9 @@ fuzz: $(FUZZ)
 
 bench: $(BENCH)
 	$(BIN)/python -m bench
+
+alarms: $(DEV)
+	$(BIN)/python scripts/alarms.py
 
 accuracy: $(DEV)
 	$(BIN)/python scripts/accuracy.py

@@ -8,6 +8,7 @@ import typer
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
+    check_state,
     list_fixes,
     no_vehicle,
     read_mapping,
@@ -65,3 +66,14 @@ def test_the_list_of_repairs_names_each_with_its_words(capsys):
         list_fixes(["list"])
     said = capsys.readouterr().out
     assert all(f"{name} " in said and fix.words in said for name, fix in FIXES.items())
+
+
+def test_a_state_belongs_to_the_population_filter_by_time(tmp_path):
+    by_time = {"estimator": "population", "spacing": None}
+    check_state(None, {"estimator": "paper", "spacing": 0.4})
+    check_state(tmp_path / "car.json", by_time)
+    for how in ({**by_time, "estimator": "batch"}, {**by_time, "spacing": 0.4}):
+        with pytest.raises(UsageError, match="together with"):
+            check_state(tmp_path / "car.json", how)
+    with pytest.raises(UsageError, match="folder"):
+        check_state(tmp_path, by_time)

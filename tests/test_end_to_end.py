@@ -263,3 +263,20 @@ def test_the_page_for_people_says_verdict_and_number(tmp_path):
     done = command(*words)
     assert done.returncode == 0
     assert "not excited" in done.stdout and "m²/s²" in done.stdout.replace("m^2/s^2", "m²/s²")
+
+
+def test_a_state_is_kept_over_drives_and_refused_by_another_car(tmp_path):
+    state = tmp_path / "car.json"
+    drives = [DATA / f"f1tenth_ds{i}.csv" for i in (1, 5)]
+    words = ["--vehicle", DATA / "f1tenth.toml", "--state", state, "--json", "--out", tmp_path / "out"]
+    done = command("identify", *drives, *words)
+    first, second = (json.loads(line) for line in done.stdout.splitlines())
+
+    assert done.returncode == 0, done.stderr
+    assert first["time_scales"]["tyre"]["drives"] == 1 and second["time_scales"]["tyre"]["drives"] == 2
+    assert "state file" in second["assumed"]["start"]["from"] and "start" not in first["assumed"]
+    kept = state.read_bytes()
+    other = ["--vehicle", DATA / "bmw_m8.toml", "--state", state, "--out", tmp_path / "other"]
+    refused = command("identify", DATA / "bmw_m8_double_lane_change.csv", *other)
+    assert refused.returncode == 3 and "StateError" in refused.stderr and str(state) in refused.stderr
+    assert state.read_bytes() == kept and not (tmp_path / "other").exists()

@@ -28,6 +28,7 @@ FLOW = (
     "vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
+    "monitor_config change_alarm information_meter time_scales saved_state drive_memory",
     "identify_setup",
     "inspection steer_scale_doubt",
     "ladder_passes cross_check",

@@ -23,6 +23,7 @@ from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
     check_estimator,
+    check_state,
     list_fixes,
     no_such_vehicle,
     no_vehicle,
@@ -98,6 +99,10 @@ def identify(
         str | None,
         typer.Option(metavar='"0.4 m"', help="Estimate from rows at equal distances, not times."),
     ] = None,
+    state: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Start where the last drive ended; keep where this one ends."),
+    ] = None,
     out: Annotated[
         str | None,
         typer.Option(
@@ -120,7 +125,8 @@ def identify(
     if out is not None and Path(out).is_file():
         raise out_is_a_file(out)
     how = {"estimator": estimator, "spacing": None if spacing is None else read_spacing(spacing)}
-    raise typer.Exit(_identify(logs, vehicle, how, reading, out=out, as_json=as_json))
+    check_state(state, how)
+    raise typer.Exit(_identify(logs, vehicle, how, reading, state=state, out=out, as_json=as_json))
 
 
 app.command()(inspect)
@@ -171,7 +177,7 @@ def _options(
 
 def _identify(
     logs: Sequence[Path], vehicle: Path, how: dict, reading: dict, *,
-    out: str | None, as_json: bool,
+    state: Path | None, out: str | None, as_json: bool,
 ) -> int:  # fmt: skip
     """Identify each log by itself; one that fails does not stop the others."""
     from rich.console import Console
@@ -186,7 +192,7 @@ def _identify(
     with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar:
         for log, directory in zip(logs, directories(logs, out), strict=True):
             try:
-                record, run = _identify_one(log, car, how, reading, directory, bar)
+                record, run = _identify_one(log, car, how, reading, directory, bar, state)
             except SimilitudeError as error:
                 with bar.aside():
                     complain(error)
@@ -197,21 +203,27 @@ def _identify(
     return worst
 
 
-def _identify_one(log, car, how, reading, directory, bar) -> tuple[dict, object]:
-    """Read, estimate and write one log; its summary and its run."""
+def _identify_one(log, car, how, reading, directory, bar, state: Path | None) -> tuple[dict, object]:
+    """Read, estimate and write one log, then the state it ends in; its summary and its run."""
     from similitude.identification import identify as identify_log
     from similitude.log import read_log
     from similitude.report.files import write_report
     from similitude.report.summary import summary
+    from similitude.saved_state import read_state, write_state
 
     steps_before = bar.done
     try:
         bar.begin(f"{log.name}: reading")
         read = read_log(log, vehicle=car, **reading)
         bar.begin(f"{log.name}: estimating")
+        if state is not None and state.exists():
+            how = {**how, "state": read_state(state)}
         run = identify_log(read, car, **how)
         bar.begin(f"{log.name}: drawing")
-        return summary(run, write_report(run, directory)), run
+        record = summary(run, write_report(run, directory))
+        if state is not None:
+            write_state(run.memory, state)
+        return record, run
     finally:
         bar.finish_to(steps_before + 3)
 

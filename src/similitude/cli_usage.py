@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import shlex
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import typer
@@ -135,6 +135,40 @@ def check_estimator(name: str) -> None:
         paste=f"--estimator {near[0] if near else ESTIMATORS[0]}",
         read='docs/identify.md, "The command"',
     )
+
+
+def check_state(state: Path | None, how: Mapping[str, object]) -> None:
+    """Refuse a state file where nothing could be kept in it.
+
+    Parameters
+    ----------
+    state : Path or None
+        What `--state` was given.
+    how : mapping
+        The `estimator` and the `spacing` of rows, None for rows by time.
+
+    Raises
+    ------
+    UsageError
+        The estimator keeps no state, or the state is a folder.
+    """
+    if state is None:
+        return
+    if state.is_dir():
+        raise UsageError(
+            f"--state '{state}' is a folder; the state is one file",
+            usually="the name of the file was left out.",
+            paste=f"--state {shlex.quote(str(state / 'car.json'))}",
+            read="docs/state.md",
+        )
+    if how["estimator"] != "population" or how["spacing"] is not None:
+        other = "--spacing" if how["spacing"] is not None else f"--estimator {how['estimator']}"
+        raise UsageError(
+            f"--state '{state}' was given together with {other}",
+            usually="only the population filter by time goes on where an earlier drive stopped.",
+            paste=f"similitude identify LOG --vehicle car.toml --state {shlex.quote(str(state))}",
+            read="docs/state.md",
+        )
 
 
 def no_vehicle(logs: Sequence[Path]) -> UsageError:

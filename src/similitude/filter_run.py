@@ -39,12 +39,15 @@ class Setup:
     noise_std: float  # rad/s
     input_scale_sd: float  # -
     lag: float = 0.0  # s
+    first_step: float | None = None  # s from the last row of an earlier log
+    tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
 
     @property
     def dt(self) -> NDArray[np.float64]:
-        """Time since the row before, (n,) [s]; the median step for the first row."""
+        """Time since the row before, (n,) [s]; the median step for the first row of all."""
         steps = np.diff(self.log.t)
-        return np.concatenate([[np.median(steps)], steps])
+        first = np.median(steps) if self.first_step is None else self.first_step
+        return np.concatenate([[first], steps])
 
     def samples(self) -> NDArray[np.float64]:
         """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
@@ -56,9 +59,11 @@ class Setup:
         known = np.flatnonzero(np.isfinite(steer))
         if self.lag <= 0 or known.size < 2:
             return steer
-        there = t[known]
-        acting = np.interp(t - self.lag, there, steer[known])
-        after = np.clip(np.searchsorted(there, t - self.lag), 1, known.size - 1)
+        there, angle = t[known], steer[known]
+        if self.tail is not None:
+            there, angle = np.concatenate([self.tail[0], there]), np.concatenate([self.tail[1], angle])
+        acting = np.interp(t - self.lag, there, angle)
+        after = np.clip(np.searchsorted(there, t - self.lag), 1, there.size - 1)
         hole = (there[after] - there[after - 1]) > max(BRIDGED, 3 * float(np.median(self.dt)))
         return np.where(hole, np.nan, acting)
 
@@ -73,10 +78,10 @@ class Setup:
             **changes,
         )
 
-    def run(self, **changes: float) -> Pass:
-        """One pass over the whole log."""
+    def run(self, state: NDArray[np.float64] | None = None, **changes: float) -> Pass:
+        """One pass over the whole log, from the prior or from where an earlier log left the state."""
         config = self.config(**changes)
-        state = self.library.start(config)
+        state = self.library.start(config) if state is None else state.copy()
         outputs, status = self.library.run(config, state, self.samples())
         return Pass(self, config, state, outputs, status)
 

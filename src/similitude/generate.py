@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from similitude.estimators.band import band_regression
+from similitude.estimators.monitor import monitor
 from similitude.estimators.output_error import output_error_method
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
@@ -24,7 +25,14 @@ DIRECTORY = Path(__file__).parent / "generated"
 def shipped() -> tuple[Program, ...]:
     """The step programs that ship with the package."""
     reduction = bicycle_reduction()
-    makers = (population_filter, paper_regression, band_regression, output_error_method, robust_regression)
+    makers = (
+        population_filter,
+        monitor,
+        paper_regression,
+        band_regression,
+        output_error_method,
+        robust_regression,
+    )
     return (population_filter(saturating_bicycle_reduction()), *(make(reduction) for make in makers))
 
 

@@ -5,9 +5,13 @@ Invariant: the verdict is decided on the pass whose numbers are reported.
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 import numpy as np
 
+from similitude.change_alarm import watch
 from similitude.cross_check import cross_check, sentence
+from similitude.drive_memory import TakenUp, in_line, remember, take_up
 from similitude.filter_run import Pass, Setup, side_by_side
 from similitude.handling import handling
 from similitude.identify_setup import (
@@ -21,22 +25,29 @@ from similitude.identify_setup import (
     whole_log,
     with_fitted_lag,
 )
+from similitude.information_meter import information
 from similitude.log import Log
+from similitude.monitor_config import BETWEEN_FALSE_ALARMS
 from similitude.prediction import predict_ahead
-from similitude.run import Nuisance, Run, Trace, axle_stiffness, held, positive_estimate
+from similitude.run import Assumed, Nuisance, Run, Trace, axle_stiffness, held, positive_estimate
+from similitude.saved_state import SavedState
 from similitude.steer_lag import LagScan
+from similitude.time_scales import time_scales
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
 from similitude.verdict import evidence, linear_doubts, verdict
 
 
-def identify_population(log: Log, vehicle: Vehicle) -> Run:
+def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = None) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
-    ready = prepare(log, vehicle)
+    ready = prepare(log, vehicle, state.settings if state else None)
     batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
-    ready = with_fitted_lag(ready, batch)
+    if state is None:
+        ready = with_fitted_lag(ready, batch)
     setup, prior, scan = ready.setup, ready.prior, ready.scan
-    done, lag_spread = _passes(setup, scan)
+    taken = take_up(state, vehicle, setup) if state else None
+    done, lag_spread = _passes(in_line(setup, taken), scan, taken)
+    watched = watch(done, taken.monitor if taken else None)
     check = cross_check(ready, done)
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
     seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
@@ -44,6 +55,7 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
     learnt = code != "not_excited"
     doubts = linear_doubts(seen) if learnt else ()
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
+    scales = time_scales(trace, taken.state.tyre if taken else None, taken.idle if taken else 0.0)
     values = {name: done.value(name) for name in NAMES}
     covariance = done.covariance(list(NAMES))
     covariance[0, 0] = trace.ln_K_std[-1] ** 2
@@ -71,18 +83,31 @@ def identify_population(log: Log, vehicle: Vehicle) -> Run:
             *warnings_of(ready, batch, learnt=learnt),
             *doubts,
         ),
-        assumed=assumed_of(ready),
+        assumed=assumed_of(ready) | _assumed_of_watch(taken),
         Caf=axle_stiffness(vehicle, K),
         batch=reported(batch) if batch else None,
         cross_check=check,
+        alarms=tuple(alarm.record for alarm in watched.alarms),
+        monitor={"armed_share": watched.armed_share, "hours_between_false_alarms": BETWEEN_FALSE_ALARMS},
+        information=asdict(information(trace.t, trace.information, float(trace.ln_K_std[-1]))),
+        time_scales=scales.record,
+        memory=remember(vehicle, done, watched, scales, float(np.broadcast_to(lag_spread, log.samples)[-1])),
     )
 
 
-def _passes(setup: Setup, scan: LagScan) -> tuple[Pass, np.ndarray | float]:
+def _assumed_of_watch(taken: TakenUp | None) -> dict[str, Assumed]:
+    alarms = Assumed(BETWEEN_FALSE_ALARMS, "h", "threshold measured over simulated roads; docs/monitor.md")
+    started = {"start": Assumed(taken.elapsed, "s", taken.told)} if taken else {}
+    return {"time between false alarms": alarms, **started}
+
+
+def _passes(setup: Setup, scan: LagScan, taken: TakenUp | None) -> tuple[Pass, np.ndarray | float]:
     """The pass over the log, and the sd of ln K from the sd of a lag nobody stated, (n,).
 
-    That is half the difference of two passes.
+    That is half the difference of two passes, or what it was in the drive that scanned the lag.
     """
+    if taken is not None:
+        return setup.run(taken.filter), taken.state.settings["ln_K_std_of_lag"]
     if scan.std == 0:
         return setup.run(), 0.0
     lags = [scan.chosen, scan.chosen + scan.std, max(scan.chosen - scan.std, 0.0)]

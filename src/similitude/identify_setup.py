@@ -37,6 +37,7 @@ AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this nea
 SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
 WORTH_SAYING = 0.01  # of K
 MOSTLY = 0.75  # of the prior variance gone: half its sd
+FROM_STATE = "state file"
 APART = 3.0  # sd between the halves of a log: one log in 400 by chance
 
 
@@ -53,10 +54,12 @@ class Prepared:
     held: Mapping[str, int]  # columns of a slow bus: rows for which each reading is repeated
 
 
-def prepare(log: Log, vehicle: Vehicle) -> Prepared:
-    """Prior, noise, steer lag and steer scale of a log."""
+def prepare(log: Log, vehicle: Vehicle, settings: Mapping[str, float] | None = None) -> Prepared:
+    """Prior, noise, steer lag and steer scale of a log; ``settings`` are those of the drives before it."""
     prior = vehicle_prior(vehicle)
     held = held_columns(log)
+    if settings is not None:
+        return _as_before(without_repeats(log, held), vehicle, prior, settings, held)
     noise = gyro_noise(log.r[new_readings(log.r, held.get("r", 1))], vehicle.yaw_rate_noise)
     known = {"L": vehicle.L.value, "noise_std": noise.std, "input_scale_sd": MEASURED_STEER_SD}
     setup = population_setup(without_repeats(log, held), prior, **known)
@@ -64,6 +67,16 @@ def prepare(log: Log, vehicle: Vehicle) -> Prepared:
     commanded = looks_like_command(scan)
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
     return Prepared(vehicle, prior, noise, setup, scan, commanded, held)
+
+
+def _as_before(
+    log: Log, vehicle: Vehicle, prior: Prior, settings: Mapping[str, float], held: Mapping[str, int]
+) -> Prepared:
+    noise = SensorNoise(settings["yaw_rate_noise"], fresh=1.0, step=0.0)
+    scale, lag = settings["steer_scale_std"], settings["steer_lag"]
+    setup = population_setup(log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=scale)
+    scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE)
+    return Prepared(vehicle, prior, noise, setup.with_lag(lag, scale), scan, looks_like_command(scan), held)
 
 
 def whole_log(ready: Prepared, done: Pass) -> BatchFit:
@@ -214,8 +227,12 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
         "population": Assumed(vehicle.population, "-", vehicle.origins.get("population", "default")),
         "L": Assumed(ready.setup.L, "m", vehicle.origins.get("L", "vehicle file")),
         "yaw_rate_noise": Assumed(
-            ready.noise.std, "rad/s", "vehicle file" if stated else "estimated from the log"
+            ready.noise.std, "rad/s", "vehicle file" if stated else _noise_origin(scan)
         ),
         "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
         "steer_scale_std": Assumed(ready.setup.input_scale_sd, "-", scale),
     }
+
+
+def _noise_origin(scan: LagScan) -> str:
+    return FROM_STATE if scan.origin == FROM_STATE else "estimated from the log"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -137,6 +138,10 @@ class Run:
     alarms: tuple = ()
     batch: Batch | None = None
     cross_check: CrossCheck | None = None
+    monitor: Mapping[str, float | str] | None = None  # share of the log it was armed, false alarms
+    information: Mapping[str, float | str | None] | None = None  # in the driver's terms
+    time_scales: Mapping[str, Mapping[str, float]] | None = None  # of the tyre and of the road
+    memory: Any = None  # a SavedState to take up with the next drive
 
 
 def positive_estimate(value: float, log_std: float, unit: str) -> Estimate:

@@ -19,6 +19,7 @@ def example_run(
     scanned: bool = True,
     long_gap: bool = True,
     drop: float = 0.6,
+    alarms: tuple = (),
 ):
     """Build the Run: K falls by `drop` half-way; slow at both ends; a gap; a hard corner."""
     random = np.random.default_rng(seed)
@@ -87,7 +88,7 @@ def example_run(
         estimator="population", trace=trace, verdict=verdict, reason=REASONS[verdict],
         K=_estimate(K[-1], ln_K_std[-1], "m^2/s^2"),
         pi3={"value": float(pi3[-1]), "std": float(pi3[-1] * ln_K_std[-1]), "at_speed": 25.0},
-        groups=_groups(K[-1], ln_K_std[-1]), nuisance=_nuisance(), lag=lag, alarms=(),
+        groups=_groups(K[-1], ln_K_std[-1]), nuisance=_nuisance(), lag=lag, alarms=alarms,
         prediction={
             "horizon_s": 1.0, "predictions": 118, "unit": "rad/s",
             "rms": {"estimate": 0.0041, "frozen_averages": 0.0063}, "ratio_to_frozen": 0.65,
@@ -96,7 +97,11 @@ def example_run(
         warnings=("a gap of 1.8 s at t = 18.0 s: the vehicle's motion was started anew there",
                   "12 samples (0.2 %) of r have no value: counted as no measurement"),
         assumed=_assumed(),
-        batch=None, cross_check=None,
+        batch=None, cross_check=None, memory=None,
+        monitor={"armed_share": 0.62, "hours_between_false_alarms": 10.0},
+        information={"interval": 9.1, "rate": 2.0, "seconds": None, "steer": 2.0,
+                     "text": "K is known to +9 % (95 %); 2 times the steer would halve that in a minute"},
+        time_scales={"tyre": {"K": 118.0, "std": 9.0, "drives": 3}, "road": {"factor": 0.6, "std": 0.05}},
         Caf=_estimate(K[-1] * 2010 / 2.69, ln_K_std[-1], "N/rad") if with_mass else None,
     )  # fmt: skip
 

@@ -241,3 +241,15 @@ def output_fields(layout: Layout) -> tuple[Field, ...]:
         Field("innovation_variance", f"({o.unit})^2", "variance of the innovation"),
         Field("information_gained", "-", f"information gained about ln {u.name} so far"),
     )
+
+
+def monitored_fields(layout: Layout) -> tuple[Field, ...]:
+    """What a step hands out besides, for a monitor that follows the same drive with the unknowns held."""
+    i, o = layout.input, layout.output
+    return (
+        *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.reduction.unknowns[1:]),
+        Field("offset_now", i.unit, f"offset of {i.name}"),
+        Field("bias_now", o.unit, f"bias of {o.name}"),
+        Field("noise_now", f"({o.unit})^2", "variance of the measurement"),
+        Field("disturbance_now", f"({i.unit})^2", "variance of the disturbance in the long run"),
+    )

@@ -80,7 +80,7 @@ def population_filter(reduction: Reduction) -> Program:
         config=ff.config_fields(layout),
         state=ff.state_fields(layout),
         sample=ff.sample_fields(layout),
-        output=ff.output_fields(layout),
+        output=(*ff.output_fields(layout), *ff.monitored_fields(layout)),
         variables=_variables(layout),
         init=tuple(_init(layout)),
         step=tuple(_step(layout)),
@@ -154,6 +154,8 @@ def _step(layout: Layout) -> list[Statement]:
         Assign("predicted", S(BIAS)),
         Assign("innovation", sp.Integer(0)),
         Assign("innovation_variance", S("noise_scale") * S("noise_variance")),
+        Assign("noise_now", S("innovation_variance")),
+        Assign("disturbance_now", S("disturbance_scale") * S("disturbance_floor") ** 2),
         When(
             usable_time,
             (
@@ -172,6 +174,9 @@ def _step(layout: Layout) -> list[Statement]:
         Assign("estimate", S(layout.target)),
         Assign("variance", layout.covariance[(len(layout.fast) + 1,) * 2]),
         Assign("information_gained", S("information")),
+        *(Assign(f"{name}_now", S(name)) for name in layout.unknowns[1:]),
+        Assign("offset_now", S(OFFSET)),
+        Assign("bias_now", S(BIAS)),
     ]
 
 
@@ -329,6 +334,8 @@ def _after(layout: Layout) -> list[Statement]:
     clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
     at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
+    lines.append(Assign("noise_now", S("noise")))
+    lines.append(Assign("disturbance_now", S("disturbance_scale") * S("w_nominal")))
     lines.append(Assign("last_input", S("u_now")))
     lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
     lines.append(When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))))

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1128 at most, 5 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1131 at most, 7 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 82 reals, configuration 64 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -147,6 +147,13 @@ typedef struct bicycle_population_output {
     bicycle_population_real innovation;              /* [rad/s] measured minus predicted; 0 without a measurement */
     bicycle_population_real innovation_variance;     /* [(rad/s)^2] variance of the innovation */
     bicycle_population_real information_gained;      /* [-] information gained about ln K so far */
+    bicycle_population_real pi1_now;                 /* [-] a/L, position of the centre of gravity */
+    bicycle_population_real eta_now;                 /* [-] rear over front cornering coefficient; > 1 understeers */
+    bicycle_population_real rho_now;                 /* [-] Iz/(m a b), yaw inertia ratio */
+    bicycle_population_real offset_now;              /* [rad] offset of delta */
+    bicycle_population_real bias_now;                /* [rad/s] bias of r */
+    bicycle_population_real noise_now;               /* [(rad/s)^2] variance of the measurement */
+    bicycle_population_real disturbance_now;         /* [(rad)^2] variance of the disturbance in the long run */
 } bicycle_population_output;
 
 /* The state before the first sample: the prior. */
@@ -411,14 +418,21 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     bicycle_population_real started = state->started;
     bicycle_population_real U_now = R(0.0);
     bicycle_population_real anew = R(0.0);
+    bicycle_population_real bias_now = R(0.0);
     bicycle_population_real diffusion = R(0.0);
+    bicycle_population_real disturbance_now = R(0.0);
     bicycle_population_real estimate = R(0.0);
+    bicycle_population_real eta_now = R(0.0);
     bicycle_population_real information_gained = R(0.0);
     bicycle_population_real innovation = R(0.0);
     bicycle_population_real innovation_variance = R(0.0);
     bicycle_population_real inv_spread = R(0.0);
     bicycle_population_real move = R(0.0);
+    bicycle_population_real noise_now = R(0.0);
+    bicycle_population_real offset_now = R(0.0);
+    bicycle_population_real pi1_now = R(0.0);
     bicycle_population_real predicted = R(0.0);
+    bicycle_population_real rho_now = R(0.0);
     bicycle_population_real status = R(0.0);
     bicycle_population_real u_now = R(0.0);
     bicycle_population_real usable = R(0.0);
@@ -428,6 +442,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     predicted = output_bias;
     innovation = R(0.0);
     innovation_variance = noise_scale*noise_variance;
+    noise_now = innovation_variance;
+    disturbance_now = disturbance_scale*(disturbance_floor*disturbance_floor);
     if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
         anew = R(0.0); /* 1 where the dynamic state starts anew */
@@ -875,6 +891,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
                 status = R(3.0);
             }
         }
+        noise_now = noise;
+        disturbance_now = disturbance_scale*w_nominal;
         last_input = u_now;
         last_U = U_now;
         if (usable > R(0.5)) {
@@ -888,6 +906,11 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     estimate = K;
     variance = P[27];
     information_gained = information;
+    pi1_now = pi1;
+    eta_now = eta;
+    rho_now = rho;
+    offset_now = input_offset;
+    bias_now = output_bias;
 
     state->v_star = v_star;
     state->r_star = r_star;
@@ -921,6 +944,13 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
+    output->pi1_now = pi1_now;
+    output->eta_now = eta_now;
+    output->rho_now = rho_now;
+    output->offset_now = offset_now;
+    output->bias_now = bias_now;
+    output->noise_now = noise_now;
+    output->disturbance_now = disturbance_now;
     return (int)status;
 }
 

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'saturating_bicycle_population'
-OPERATIONS = 1394
+OPERATIONS = 1397
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'input_scale', 'input_offset', 'output_bias')
 
@@ -120,6 +120,14 @@ OUTPUT = (
     ('innovation', 'rad/s', 'measured minus predicted; 0 without a measurement', 1),
     ('innovation_variance', '(rad/s)^2', 'variance of the innovation', 1),
     ('information_gained', '-', 'information gained about ln K so far', 1),
+    ('pi1_now', '-', 'a/L, position of the centre of gravity', 1),
+    ('eta_now', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
+    ('rho_now', '-', 'Iz/(m a b), yaw inertia ratio', 1),
+    ('grip_now', 'm/s^2', 'mu g, greatest lateral acceleration', 1),
+    ('offset_now', 'rad', 'offset of delta', 1),
+    ('bias_now', 'rad/s', 'bias of r', 1),
+    ('noise_now', '(rad/s)^2', 'variance of the measurement', 1),
+    ('disturbance_now', '(rad)^2', 'variance of the disturbance in the long run', 1),
 )
 
 
@@ -419,14 +427,22 @@ def step(config, state, sample):
     started = state[93]
     U_now = 0.0
     anew = 0.0
+    bias_now = 0.0
     diffusion = 0.0
+    disturbance_now = 0.0
     estimate = 0.0
+    eta_now = 0.0
+    grip_now = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
     inv_spread = 0.0
     move = 0.0
+    noise_now = 0.0
+    offset_now = 0.0
+    pi1_now = 0.0
     predicted = 0.0
+    rho_now = 0.0
     status = 0.0
     u_now = 0.0
     usable = 0.0
@@ -435,6 +451,8 @@ def step(config, state, sample):
     predicted = output_bias
     innovation = 0.0
     innovation_variance = noise_scale*noise_variance
+    noise_now = innovation_variance
+    disturbance_now = disturbance_scale*(disturbance_floor*disturbance_floor)
     if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
         usable = 1.0
         anew = 0.0  # 1 where the dynamic state starts anew
@@ -937,6 +955,8 @@ def step(config, state, sample):
             input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
             if usable > 0.5:
                 status = 3.0
+        noise_now = noise
+        disturbance_now = disturbance_scale*w_nominal
         last_input = u_now
         last_U = U_now
         if usable > 0.5:
@@ -948,5 +968,11 @@ def step(config, state, sample):
     estimate = K
     variance = P_30
     information_gained = information
+    pi1_now = pi1
+    eta_now = eta
+    rho_now = rho
+    grip_now = grip
+    offset_now = input_offset
+    bias_now = output_bias
     state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
-    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]
+    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, grip_now, offset_now, bias_now, noise_now, disturbance_now]

@@ -45,7 +45,10 @@ def charts_of(run: Run) -> dict[str, Chart]:
     along = {
         "x": t - first if is_clock else t,
         "x_label": f"time since t = {first:.3f} s" if is_clock else "time",
-        "spans": fault_spans(t - first if is_clock else t, run.trace.status),
+        "spans": (
+            *fault_spans(t - first if is_clock else t, run.trace.status),
+            *alarm_spans(run, first if is_clock else 0.0),
+        ),
     }
     charts = {
         "speed": _speed(run, along),
@@ -88,6 +91,17 @@ def fault_spans(t: np.ndarray, status: np.ndarray) -> tuple[Span, ...]:
     )
 
 
+def alarm_spans(run: Run, first: float) -> tuple[Span, ...]:
+    """Stretches from the onset of each change to the moment it was found.
+
+    Parameters
+    ----------
+    run : Run       with alarms told in the log's time.
+    first : float   what the charts take off that time [s].
+    """
+    return tuple(Span(a["onset"] - first, a["t"] - first, "alarm") for a in run.alarms)
+
+
 def _speed(run: Run, along: dict) -> Chart:
     line = Line("speed", run.log.U, "third")
     return Chart("Speed", "as logged", lines=(line,), unit="m/s", height=SMALL, **along)
@@ -113,7 +127,8 @@ def _estimate(run: Run, along: dict) -> Chart:
         log=True,
         y_range=range_of_K(K, lower, upper, prior),
         height=300,
-        span_labels=_fault_labels(run.trace.status),
+        span_labels=_fault_labels(run.trace.status)
+        | ({"alarm": "a change, from its onset until it was found"} if run.alarms else {}),
         **along,
     )
 

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from similitude.report import html_tables
+from similitude.report.alarm_words import alarm_lines, known_lines
 from similitude.report.cost_curve import cost_curve
 from similitude.report.html_chart import Chart
 from similitude.report.html_charts import charts_of
@@ -65,7 +66,7 @@ def html_report(run: Run, record: Mapping[str, Any]) -> str:
         An HTML document that needs no other file; equal runs give equal text.
     """
     charts = charts_of(run)
-    parts = [_verdict(run)]
+    parts = [_verdict(run), *_changes(run)]
     if run.warnings:
         parts.append(section("Warnings", bullets(run.warnings)))
     parts += [_glance(run, charts), _estimate(run, charts)]
@@ -99,6 +100,13 @@ def _verdict(run: Run) -> Html:
         paragraph(run.reason),
         paragraph(said, quiet=True),
     )
+
+
+def _changes(run: Run) -> list[Html]:
+    """What the monitor found, and what is known so far."""
+    found = [section("Changes", bullets(alarm_lines(run)))] if run.alarms else []
+    known = known_lines(run)
+    return found + ([section("Known so far", bullets(known))] if known else [])
 
 
 def _glance(run: Run, charts: Mapping[str, Chart]) -> Html:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 INK, MUTED, GRID = "#1d2733", "#6b7785", "#e6eaee"
 ESTIMATE, PRIOR, MEASURED, GAINED = "#1667b7", "#c3c9d0", "#8a95a1", "#1f7a56"
 NOISE = "#67727e"
+ALARM = "#c8102e"
 FAULTS = {  # status to (colour, words); in this order where several share a place
     "outside_linear": ("#e4572e", "beyond the linear tyre"),
     "bad_sample": ("#8f1d3f", "bad sample"),
@@ -52,6 +53,8 @@ def estimate_panel(axes: Axes, run: Run, t: np.ndarray) -> None:
         Line2D([], [], color=ESTIMATE, lw=1.5, label="estimate"),
         Patch(color=ESTIMATE, alpha=0.22, lw=0, label="its 95 % interval"),
     ]
+    if run.alarms:
+        handles.append(Line2D([], [], color=ALARM, lw=1.3, label="change found"))
     axes.set_yscale("log")
     low, high = range_of_K(trace.K, lower, upper, prior)
     axes.set_ylim(low, high)
@@ -153,6 +156,21 @@ def shade_faults(axes: Axes, t: np.ndarray, status: np.ndarray) -> None:
             image, extent=(t[0], t[-1], 0, 1), transform=axes.get_xaxis_transform(),
             aspect="auto", interpolation="nearest", zorder=0.7,
         )  # fmt: skip
+
+
+def mark_alarms(axes: Axes, run: Run, t: np.ndarray) -> None:
+    """Draw a line where each change was decided, dotted from its onset.
+
+    Parameters
+    ----------
+    axes : Axes with time [s] along x.
+    run : Run with alarms.
+    t : (n,) time as drawn [s]; alarms are told in the log's time.
+    """
+    shift = t[0] - run.trace.t[0]
+    for alarm in run.alarms:
+        axes.axvspan(alarm["onset"] + shift, alarm["t"] + shift, color=ALARM, alpha=0.18, lw=0, zorder=1.5)
+        axes.axvline(alarm["t"] + shift, color=ALARM, lw=1.3, zorder=4)
 
 
 def prior_of_K(run: Run) -> tuple[float, float] | None:

@@ -62,6 +62,7 @@ def draw(run: Run) -> Figure:
         _quiet(axes, last=row == 3)
         panel(axes, run, t)
         panels.shade_faults(axes, t, run.trace.status)
+        panels.mark_alarms(axes, run, t)
     axes.set_xlim(t[0], t[-1])
     axes.set_xlabel(time_label, color=panels.INK, fontsize=10)
     _headline(figure, run)

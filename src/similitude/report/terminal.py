@@ -14,6 +14,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
+from similitude.report.alarm_words import alarm_lines, known_lines
 from similitude.report.cost_curve import cost_curve
 from similitude.report.numerals import (
     for_people,
@@ -77,6 +78,10 @@ def page(run: Run, *, files: Mapping[str, str] | None = None) -> Group:
         Renderable at any width from 80 columns.
     """
     parts = [_title(run), _verdict(run), _section("Front tyres", _answer(run))]
+    if run.alarms:
+        parts.append(_section("Changes", _bullets(alarm_lines(run)), style="bold red"))
+    if run.information:
+        parts.append(_section("Known so far", _bullets(known_lines(run))))
     if run.handling:
         parts.append(_section("Handling", _handling(run.handling)))
     if run.groups:
