@@ -50,7 +50,7 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
     watched = watch(done, taken.monitor if taken else None)
     check = cross_check(ready, done)
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
-    seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=_edges(done))
+    seen = evidence(log, trace, prior, noise_scale=done.value("noise_scale"), at_limit=edges(done))
     code, reason = verdict(seen)
     learnt = code != "not_excited"
     doubts = linear_doubts(seen) if learnt else ()
@@ -149,7 +149,7 @@ def trace_of(done: Pass, K: np.ndarray, ln_K_std: np.ndarray, information: np.nd
     )
 
 
-def _edges(done: Pass) -> tuple[str, ...]:
+def edges(done: Pass) -> tuple[str, ...]:
     """Unknowns at the end of a pass that the limits of the population hold where they are."""
     prior, library = done.setup.prior, done.setup.library
     low, high = (

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.signal import butter, sosfilt
 
 from similitude.filter_run import population_setup
-from similitude.identify_population import trace_of
+from similitude.identify_population import edges, trace_of
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.simulate import bicycle_response
@@ -128,7 +128,8 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
         # K is Caf L/m: a filter told another wheelbase means the same stiffness by K times that
         error = np.log(done.output("estimate") / (cars.K[i] * L_factor))
         sd = np.sqrt(done.output("variance"))
-        code, _ = verdict(evidence(setup.log, trace_of(done, done.output("estimate"), sd), prior))
+        trace = trace_of(done, done.output("estimate"), sd)
+        code, _ = verdict(evidence(setup.log, trace, prior, at_limit=edges(done)))
         rows.append(_car(cars.t, error, sd, step, code == "identified"))
     columns = np.array(rows, dtype=float).T
     return Score(
