@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from similitude.identification import identify
-from similitude.identify_population import _edges
+from similitude.identify_population import edges
 from similitude.log import read_log
 from similitude.report.table import estimate_table
 from similitude.status import STATUS
@@ -190,20 +190,20 @@ def test_an_unknown_held_by_its_limit_is_named_and_one_that_is_free_is_not():
     done = setup_of(drive(seconds=10), vehicle_prior(vehicle())).run()
     sd = done.output("variance")[-1] ** 0.5
 
-    def edges(name, side, away):
+    def held_at(name, side, away):
         library, state = done.setup.library, done.state.copy()
         limit = done.config[library.index("config", f"{name}_{side}")]
         inward = away if side == "low" else -away
         moved = limit + inward if name == "pi1" else limit * np.exp(inward)
         state[library.index("state", name)] = moved
-        return _edges(dataclasses.replace(done, state=state))
+        return edges(dataclasses.replace(done, state=state))
 
     for side in ("low", "high"):
-        assert edges("K", side, 1.9 * sd) == ("K",)  # its interval reaches the limit
-        assert edges("K", side, 2.0 * sd) == ()
+        assert held_at("K", side, 1.9 * sd) == ("K",)  # its interval reaches the limit
+        assert held_at("K", side, 2.0 * sd) == ()
         for name, prior_sd in (("pi1", 0.03), ("eta", 0.13), ("rho", 0.09)):
-            assert edges(name, side, 0.05 * prior_sd) == (name,)
-            assert edges(name, side, 0.2 * prior_sd) == ()
+            assert held_at(name, side, 0.05 * prior_sd) == (name,)
+            assert held_at(name, side, 0.2 * prior_sd) == ()
 
 
 # ---- laws -----------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ from similitude.simulate import bicycle_response
 from similitude.verdict import evidence, verdict
 
 RATE = 100.0  # Hz
+TYRES_GIVE_WAY = 7.0  # m/s^2: a linear plant beyond it is no car, and none is right about its K
 NOISE = np.deg2rad(0.15)  # rad/s
 STEER_STEP = np.deg2rad(0.1) / 15  # rad
 PI1, PI1_SD = 0.4431, 0.025
@@ -130,7 +131,8 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
         sd = np.sqrt(done.output("variance"))
         trace = trace_of(done, done.output("estimate"), sd)
         code, _ = verdict(evidence(setup.log, trace, prior, at_limit=edges(done)))
-        rows.append(_car(cars.t, error, sd, step, code == "identified"))
+        real = np.abs(cars.yaw_rate[i] * cars.U[i]).max() < TYRES_GIVE_WAY
+        rows.append([*_car(cars.t, error, sd, step, code == "identified"), real])
     columns = np.array(rows, dtype=float).T
     return Score(
         float(np.median(columns[0])),
@@ -138,7 +140,7 @@ def score(cars: Fleet, *, step=60.0, noise_factor=1.0, L_factor=1.0, **changes) 
         float(np.median(columns[1])),
         *np.median(columns[2:4], axis=1),
         float(np.mean(columns[4])),
-        int(np.sum(columns[4] * (np.abs(columns[5]) > 0.3))),
+        int(np.sum(columns[4] * columns[6] * (np.abs(columns[5]) > 0.3))),
     )
 
 
