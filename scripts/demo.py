@@ -32,7 +32,7 @@ PLANT = {"L": 2.65, "K": 110.0, "pi1": 0.4431, "eta": 1.42, "rho": 1.017}
 EXPECTED = {"rav4_straight": "not_excited", "rav4_with_sine": "identified"}
 REMARKS = {
     "rav4_straight": "hardly steered: nothing to learn, and it says so",
-    "rav4_with_sine": f"the same drive with a sine added; its plant has K = {PLANT['K']:.0f}",
+    "rav4_with_sine": f"a sine added, answered by a car of K = {PLANT['K']:.0f}; the RAV4's own motion stays",
     "f1tenth_ds1 … 5": "steer is a late command, 0.63 to 1.0 of it arrives; K trades with it",
     "bmw_m8_double_lane_change": "its steer scale is a guess, and K carries that doubt",
 }
