@@ -22,13 +22,14 @@ class Unknown:
     """A slow unknown; its uncertainty is that of its logarithm where ``kind`` is ``log``.
 
     ``role``: ``identify`` (the first one: may change at any time), ``estimate`` (constant, learnt),
+    ``seldom`` (constant, learnt from one sample in a while: what it trades against is learnt first),
     ``consider`` (constant, kept at its prior while its uncertainty is carried along).
     """
 
     name: str
     unit: str
     kind: Literal["log", "linear"]
-    role: Literal["identify", "estimate", "consider"]
+    role: Literal["identify", "estimate", "seldom", "consider"]
     meaning: str
 
     @property

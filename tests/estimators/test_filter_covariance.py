@@ -67,17 +67,32 @@ def straight(samples, *, step=0.01, speed=25.0, seed=3):
     return np.column_stack([step * column, 0 * column, speed * column, yaw])
 
 
-def test_what_is_only_considered_keeps_its_mean_and_variance():
+def test_what_never_learns_keeps_its_mean_and_variance():
     rows = long_drive(5000, seed=4)
-    library, state, _, _ = run(rows)
+    library, state, _, _ = run(rows, seldom=1e9)
     P = covariance(library, state)
 
-    for unknown in REDUCTION.unknowns:
-        if unknown.role == "consider":
-            i = CAR.names.index(unknown.name)
-            at = AT[unknown.name]
-            assert state[library.index("state", unknown.name)] == CAR.mean[i]
-            assert P[at, at] == pytest.approx(CAR.covariance[i, i], rel=1e-9)
+    i, at = CAR.names.index("pi1"), AT["pi1"]
+    assert state[library.index("state", "pi1")] == CAR.mean[i]
+    assert P[at, at] == pytest.approx(CAR.covariance[i, i], rel=1e-9)
+
+
+@pytest.mark.parametrize(("seldom", "every"), [(0.0, 1), (0.025, 3), (0.035, 4), (0.095, 10)])
+def test_what_is_learnt_seldom_moves_only_when_its_time_has_come(seldom, every):
+    library = car()
+    config = car_config(library, seldom=seldom)
+    state = library.start(config)
+    at = library.index("state", "pi1")
+    rows = long_drive(3000, seed=4)
+    values = []
+    for row in rows:
+        library.run(config, state, row[None])
+        values.append(state[at])
+    moved = np.flatnonzero(np.diff(values))
+
+    assert len(moved) > 1500 / every
+    assert np.diff(moved).min() == every
+    assert np.median(np.diff(moved)) == every  # longer only around a jump
 
 
 @pytest.mark.parametrize("speed", [15.0, 25.0, 35.0])

@@ -210,9 +210,17 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
             "a jump is not blamed on what cannot jump",
         ),
+        Assign("unlearnt", S("unlearnt") + dt),
+        Assign(
+            "learn_seldom",
+            sp.Piecewise((S("learn_slow"), S("unlearnt") >= S("seldom")), (0, True)),
+            "the next sample tells little that this one does not",
+        ),
+        When(S("learn_seldom") > 0, (Assign("unlearnt", sp.Integer(0)),), ()),
     ]
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: "learn"}
+    weight |= dict.fromkeys(layout.seldom, "learn_seldom")
     lines += [
         Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in gains.items()
     ]
@@ -225,7 +233,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "1/variance gained",
         ),
     ]
-    order = {"inv_spread": 0, "learn": 1, "learn_slow": 2}
+    order = {"inv_spread": 0, "learn": 1, "learn_slow": 2, "learn_seldom": 3}
     lines += reduce_by(P, gains, {i: order[weight.get(names[i], "inv_spread")] for i in gains}, "c")
     lines += _state_update(layout, gains)
     lines += _adapt(layout)

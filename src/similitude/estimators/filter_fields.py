@@ -51,6 +51,11 @@ class Layout:
         return tuple(u.name for u in self.reduction.unknowns if u.role == "consider")
 
     @property
+    def seldom(self) -> tuple[str, ...]:
+        """Unknowns that are learnt from one sample in a while."""
+        return tuple(u.name for u in self.reduction.unknowns if u.role == "seldom")
+
+    @property
     def covariance(self) -> Symmetric:
         """Covariance of the coordinates; logarithms of positive unknowns."""
         return Symmetric("P", len(self.coordinates))
@@ -158,6 +163,7 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("noise_scale_high", "-", "greatest noise variance against nominal"),
         Field("excitation_ratio", "-", "least variance of sensitivity against noise to learn from"),
         Field("excitation_rate", "1/s", "averaging rate of the excitation"),
+        Field("seldom", "s", "least time between samples that the seldom learnt unknowns learn from"),
         Field("surprise_rate", "1/s", "averaging rate of the normalised innovation"),
         Field("jump_ratio", "-", "squared surprise against its long-run mean that speaks of a jump"),
         Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
@@ -202,6 +208,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("surprise", "-", "recent mean of the normalised innovation squared"),
         Field("excitation", f"({o.unit})^2", "mean square sensitivity to the first unknown"),
         Field("excited", "-", "1 while the input excites the first unknown, else 0"),
+        Field("unlearnt", "s", "time since the seldom learnt unknowns last learnt anything"),
         Field(
             "validity",
             f"({_validity_unit(layout)})^2",

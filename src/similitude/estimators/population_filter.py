@@ -32,7 +32,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
     "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
-    "inv_output_scale keep keep_w learn learn_slow least_scale lost nis noise noise_change "
+    "inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale lost nis noise noise_change "
     "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_plain "
     "unseen validity_now validity_square validity_then w_nominal".split()
 )
@@ -129,6 +129,7 @@ def _init(layout: Layout) -> list[Statement]:
         "activity",
         "excitation",
         "excited",
+        "unlearnt",
         "validity",
         "information",
         "last_input",

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1131 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 82 reals, configuration 64 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1148 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 83 reals, configuration 65 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -89,6 +89,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real noise_scale_high;        /* [-] greatest noise variance against nominal */
     bicycle_population_real excitation_ratio;        /* [-] least variance of sensitivity against noise to learn from */
     bicycle_population_real excitation_rate;         /* [1/s] averaging rate of the excitation */
+    bicycle_population_real seldom;                  /* [s] least time between samples that the seldom learnt unknowns learn from */
     bicycle_population_real surprise_rate;           /* [1/s] averaging rate of the normalised innovation */
     bicycle_population_real jump_ratio;              /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
@@ -125,6 +126,7 @@ typedef struct bicycle_population_state {
     bicycle_population_real surprise;                /* [-] recent mean of the normalised innovation squared */
     bicycle_population_real excitation;              /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_population_real excited;                 /* [-] 1 while the input excites the first unknown, else 0 */
+    bicycle_population_real unlearnt;                /* [s] time since the seldom learnt unknowns last learnt anything */
     bicycle_population_real validity;                /* [(m/s^2)^2] recent peak of the validity signal, squared */
     bicycle_population_real information;             /* [-] information gained about ln K */
     bicycle_population_real last_input;              /* [rad] input of the sample before */
@@ -205,6 +207,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     bicycle_population_real settling;
     bicycle_population_real started;
     bicycle_population_real surprise;
+    bicycle_population_real unlearnt;
     bicycle_population_real v_star;
     bicycle_population_real v_star_plain;
     bicycle_population_real validity;
@@ -300,6 +303,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     activity = R(0.0);
     excitation = R(0.0);
     excited = R(0.0);
+    unlearnt = R(0.0);
     validity = R(0.0);
     information = R(0.0);
     last_input = R(0.0);
@@ -327,6 +331,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;
+    state->unlearnt = unlearnt;
     state->validity = validity;
     state->information = information;
     state->last_input = last_input;
@@ -344,6 +349,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     const bicycle_population_real prior_information = config->prior_information;
     const bicycle_population_real K_low = config->K_low;
     const bicycle_population_real K_high = config->K_high;
+    const bicycle_population_real pi1_low = config->pi1_low;
+    const bicycle_population_real pi1_high = config->pi1_high;
     const bicycle_population_real eta_low = config->eta_low;
     const bicycle_population_real eta_high = config->eta_high;
     const bicycle_population_real rho_low = config->rho_low;
@@ -373,6 +380,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     const bicycle_population_real noise_scale_high = config->noise_scale_high;
     const bicycle_population_real excitation_ratio = config->excitation_ratio;
     const bicycle_population_real excitation_rate = config->excitation_rate;
+    const bicycle_population_real seldom = config->seldom;
     const bicycle_population_real surprise_rate = config->surprise_rate;
     const bicycle_population_real jump_ratio = config->jump_ratio;
     const bicycle_population_real surprise_limit = config->surprise_limit;
@@ -410,6 +418,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     bicycle_population_real surprise = state->surprise;
     bicycle_population_real excitation = state->excitation;
     bicycle_population_real excited = state->excited;
+    bicycle_population_real unlearnt = state->unlearnt;
     bicycle_population_real validity = state->validity;
     bicycle_population_real information = state->information;
     bicycle_population_real last_input = state->last_input;
@@ -778,10 +787,16 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
             jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
             const bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            unlearnt = dt + unlearnt;
+            const bicycle_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            if (learn_seldom > R(0.0)) {
+                unlearnt = R(0.0);
+            }
             const bicycle_population_real gain_0 = c_0*inv_spread;
             const bicycle_population_real gain_1 = c_1*inv_spread;
             const bicycle_population_real gain_2 = c_2*inv_spread;
             const bicycle_population_real gain_3 = c_3*learn;
+            const bicycle_population_real gain_4 = c_4*learn_seldom;
             const bicycle_population_real gain_5 = c_5*learn_slow;
             const bicycle_population_real gain_6 = c_6*learn_slow;
             const bicycle_population_real gain_7 = c_7*learn_slow;
@@ -823,6 +838,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             P[31] = P[31] - c_7*gain_3;
             P[32] = P[32] - c_3*gain_8;
             P[33] = P[33] - c_3*gain_9;
+            P[34] = P[34] - c_4*gain_4;
             P[35] = P[35] - c_4*gain_5;
             P[36] = P[36] - c_4*gain_6;
             P[37] = P[37] - c_4*gain_7;
@@ -847,6 +863,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             r_star = r_star + gain_1*innovation;
             disturbance = disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
+            pi1 = pi1 + gain_4*innovation;
             const bicycle_population_real move_eta = gain_5*innovation;
             const bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
@@ -882,8 +899,9 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
             K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
+            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
             eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
             rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
             input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
@@ -918,6 +936,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     state->r_star_plain = r_star_plain;
     state->disturbance = disturbance;
     state->K = K;
+    state->pi1 = pi1;
     state->eta = eta;
     state->rho = rho;
     state->input_scale = input_scale;
@@ -932,6 +951,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;
+    state->unlearnt = unlearnt;
     state->validity = validity;
     state->information = information;
     state->last_input = last_input;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1131
+OPERATIONS = 1148
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -58,6 +58,7 @@ CONFIG = (
     ('noise_scale_high', '-', 'greatest noise variance against nominal', 1),
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
+    ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
@@ -94,6 +95,7 @@ STATE = (
     ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
+    ('unlearnt', 's', 'time since the seldom learnt unknowns last learnt anything', 1),
     ('validity', '(m/s^2)^2', 'recent peak of the validity signal, squared', 1),
     ('information', '-', 'information gained about ln K', 1),
     ('last_input', 'rad', 'input of the sample before', 1),
@@ -241,13 +243,14 @@ def init(config):
     activity = 0.0
     excitation = 0.0
     excited = 0.0
+    unlearnt = 0.0
     validity = 0.0
     information = 0.0
     last_input = 0.0
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -257,6 +260,8 @@ def step(config, state, sample):
     prior_information = config[15]
     K_low = config[16]
     K_high = config[17]
+    pi1_low = config[18]
+    pi1_high = config[19]
     eta_low = config[20]
     eta_high = config[21]
     rho_low = config[22]
@@ -286,17 +291,18 @@ def step(config, state, sample):
     noise_scale_high = config[50]
     excitation_ratio = config[51]
     excitation_rate = config[52]
-    surprise_rate = config[53]
-    jump_ratio = config[54]
-    surprise_limit = config[55]
-    observed_least = config[56]
-    outlier_ratio = config[57]
-    gap = config[58]
-    input_limit = config[59]
-    output_limit = config[60]
-    signal_limit = config[61]
-    validity_limit = config[62]
-    validity_rate = config[63]
+    seldom = config[53]
+    surprise_rate = config[54]
+    jump_ratio = config[55]
+    surprise_limit = config[56]
+    observed_least = config[57]
+    outlier_ratio = config[58]
+    gap = config[59]
+    input_limit = config[60]
+    output_limit = config[61]
+    signal_limit = config[62]
+    validity_limit = config[63]
+    validity_rate = config[64]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -377,12 +383,13 @@ def step(config, state, sample):
     surprise = state[73]
     excitation = state[74]
     excited = state[75]
-    validity = state[76]
-    information = state[77]
-    last_input = state[78]
-    last_U = state[79]
-    age = state[80]
-    started = state[81]
+    unlearnt = state[76]
+    validity = state[77]
+    information = state[78]
+    last_input = state[79]
+    last_U = state[80]
+    age = state[81]
+    started = state[82]
     U_now = 0.0
     anew = 0.0
     bias_now = 0.0
@@ -736,10 +743,15 @@ def step(config, state, sample):
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             jump = (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
+            unlearnt = dt + unlearnt
+            learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
+            if learn_seldom > 0.0:
+                unlearnt = 0.0
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
             gain_3 = c_3*learn
+            gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
             gain_7 = c_7*learn_slow
@@ -781,6 +793,7 @@ def step(config, state, sample):
             P_31 = P_31 - c_7*gain_3
             P_32 = P_32 - c_3*gain_8
             P_33 = P_33 - c_3*gain_9
+            P_34 = P_34 - c_4*gain_4
             P_35 = P_35 - c_4*gain_5
             P_36 = P_36 - c_4*gain_6
             P_37 = P_37 - c_4*gain_7
@@ -805,6 +818,7 @@ def step(config, state, sample):
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
             move = move + gain_3*innovation
+            pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
             above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
             bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
@@ -837,8 +851,9 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
             K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
+            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
             eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
             rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
             input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
@@ -862,5 +877,5 @@ def step(config, state, sample):
     rho_now = rho
     offset_now = input_offset
     bias_now = output_bias
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, offset_now, bias_now, noise_now, disturbance_now]

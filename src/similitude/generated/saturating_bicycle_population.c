@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1397 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 94 reals, configuration 72 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1414 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 95 reals, configuration 73 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -92,6 +92,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real noise_scale_high; /* [-] greatest noise variance against nominal */
     saturating_bicycle_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     saturating_bicycle_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
+    saturating_bicycle_population_real seldom;       /* [s] least time between samples that the seldom learnt unknowns learn from */
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
@@ -129,6 +130,7 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real surprise;     /* [-] recent mean of the normalised innovation squared */
     saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
     saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
+    saturating_bicycle_population_real unlearnt;     /* [s] time since the seldom learnt unknowns last learnt anything */
     saturating_bicycle_population_real validity;     /* [(m/s^2)^2] recent peak of the validity signal, squared */
     saturating_bicycle_population_real information;  /* [-] information gained about ln K */
     saturating_bicycle_population_real last_input;   /* [rad] input of the sample before */
@@ -217,6 +219,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     saturating_bicycle_population_real settling;
     saturating_bicycle_population_real started;
     saturating_bicycle_population_real surprise;
+    saturating_bicycle_population_real unlearnt;
     saturating_bicycle_population_real v_star;
     saturating_bicycle_population_real v_star_plain;
     saturating_bicycle_population_real validity;
@@ -329,6 +332,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     activity = R(0.0);
     excitation = R(0.0);
     excited = R(0.0);
+    unlearnt = R(0.0);
     validity = R(0.0);
     information = R(0.0);
     last_input = R(0.0);
@@ -357,6 +361,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;
+    state->unlearnt = unlearnt;
     state->validity = validity;
     state->information = information;
     state->last_input = last_input;
@@ -374,6 +379,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     const saturating_bicycle_population_real prior_information = config->prior_information;
     const saturating_bicycle_population_real K_low = config->K_low;
     const saturating_bicycle_population_real K_high = config->K_high;
+    const saturating_bicycle_population_real pi1_low = config->pi1_low;
+    const saturating_bicycle_population_real pi1_high = config->pi1_high;
     const saturating_bicycle_population_real eta_low = config->eta_low;
     const saturating_bicycle_population_real eta_high = config->eta_high;
     const saturating_bicycle_population_real rho_low = config->rho_low;
@@ -405,6 +412,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     const saturating_bicycle_population_real noise_scale_high = config->noise_scale_high;
     const saturating_bicycle_population_real excitation_ratio = config->excitation_ratio;
     const saturating_bicycle_population_real excitation_rate = config->excitation_rate;
+    const saturating_bicycle_population_real seldom = config->seldom;
     const saturating_bicycle_population_real surprise_rate = config->surprise_rate;
     const saturating_bicycle_population_real jump_ratio = config->jump_ratio;
     const saturating_bicycle_population_real surprise_limit = config->surprise_limit;
@@ -443,6 +451,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real surprise = state->surprise;
     saturating_bicycle_population_real excitation = state->excitation;
     saturating_bicycle_population_real excited = state->excited;
+    saturating_bicycle_population_real unlearnt = state->unlearnt;
     saturating_bicycle_population_real validity = state->validity;
     saturating_bicycle_population_real information = state->information;
     saturating_bicycle_population_real last_input = state->last_input;
@@ -863,10 +872,16 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
             jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
             const saturating_bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            unlearnt = dt + unlearnt;
+            const saturating_bicycle_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            if (learn_seldom > R(0.0)) {
+                unlearnt = R(0.0);
+            }
             const saturating_bicycle_population_real gain_0 = c_0*inv_spread;
             const saturating_bicycle_population_real gain_1 = c_1*inv_spread;
             const saturating_bicycle_population_real gain_2 = c_2*inv_spread;
             const saturating_bicycle_population_real gain_3 = c_3*learn;
+            const saturating_bicycle_population_real gain_4 = c_4*learn_seldom;
             const saturating_bicycle_population_real gain_5 = c_5*learn_slow;
             const saturating_bicycle_population_real gain_6 = c_6*learn_slow;
             const saturating_bicycle_population_real gain_7 = c_7*learn_slow;
@@ -913,6 +928,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             P[35] = P[35] - c_8*gain_3;
             P[36] = P[36] - c_3*gain_9;
             P[37] = P[37] - c_3*gain_10;
+            P[38] = P[38] - c_4*gain_4;
             P[39] = P[39] - c_4*gain_5;
             P[40] = P[40] - c_4*gain_6;
             P[41] = P[41] - c_4*gain_7;
@@ -944,6 +960,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             r_star = r_star + gain_1*innovation;
             disturbance = disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
+            pi1 = pi1 + gain_4*innovation;
             const saturating_bicycle_population_real move_eta = gain_5*innovation;
             const saturating_bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const saturating_bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
@@ -983,8 +1000,9 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const saturating_bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
             K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
+            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
             eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
             rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
             grip = ((grip_high) < (((grip) > (grip_low) ? grip : grip_low)) ? grip_high : ((grip) > (grip_low) ? grip : grip_low));
@@ -1021,6 +1039,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     state->r_star_plain = r_star_plain;
     state->disturbance = disturbance;
     state->K = K;
+    state->pi1 = pi1;
     state->eta = eta;
     state->rho = rho;
     state->grip = grip;
@@ -1036,6 +1055,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     state->surprise = surprise;
     state->excitation = excitation;
     state->excited = excited;
+    state->unlearnt = unlearnt;
     state->validity = validity;
     state->information = information;
     state->last_input = last_input;

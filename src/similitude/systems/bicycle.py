@@ -71,7 +71,7 @@ def bicycle_reduction() -> Reduction:
                 "identify",
                 "Caf L/m, front cornering stiffness per mass and length",
             ),
-            Unknown("pi1", "-", "linear", "consider", "a/L, position of the centre of gravity"),
+            Unknown("pi1", "-", "linear", "seldom", "a/L, position of the centre of gravity"),
             Unknown(
                 "eta",
                 "-",
