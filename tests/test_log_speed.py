@@ -90,3 +90,9 @@ def test_wheels_that_lock_for_a_moment_are_no_join():
     speed[3000:3001] -= 8
 
     assert check(speed) == []
+
+
+def test_a_hole_in_the_yaw_rate_says_nothing_about_the_speed():
+    turned = turns()
+    turned[2000:3000] = np.nan
+    assert check(town(), turned) == []

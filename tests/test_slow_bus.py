@@ -16,6 +16,7 @@ from similitude.slow_bus import (
     hold_period,
     new_readings,
     through,
+    without_lines,
     without_repeats,
 )
 
@@ -124,3 +125,28 @@ def test_a_slow_bus_costs_no_honesty(yaw, steer):
         away = np.abs(np.log(done.output("estimate") / cars.K[i])) / np.sqrt(done.output("variance"))
         covered.append(np.mean((away < 1.96)[cars.t > 10]))
     assert np.mean(covered) >= 0.90
+
+
+def test_lines_across_a_hole_are_no_readings():
+    log = log_of_car(fleet(3, cars=1, duration=60.0, halve=False), 0)
+    hole = (log.t > 20) & (log.t < 25)
+    drawn = np.where(hole, np.interp(log.t, log.t[~hole], log.r[~hole]), log.r)
+
+    measured = without_lines(replace(log, r=drawn))
+
+    assert without_lines(log) is log
+    assert np.array_equal(np.isnan(measured.r), hole)
+    assert np.array_equal(measured.r[~hole], log.r[~hole])
+
+
+def test_a_hole_that_was_drawn_across_does_not_move_the_stiffness():
+    """As measured, the line says that a car under steer does not turn: K would fall to its limit."""
+    log = log_of_car(fleet(3, cars=1, duration=90.0, halve=False), 0)
+    hole = log.t > 60
+    hole[-1] = False
+    drawn = replace(log, r=np.where(hole, np.interp(log.t, log.t[~hole], log.r[~hole]), log.r))
+    missing = replace(log, r=np.where(hole, np.nan, log.r))
+
+    found, expected = (prepare(one, vehicle()).setup.run() for one in (drawn, missing))
+
+    assert found.value("K") == expected.value("K")

@@ -11,7 +11,7 @@ from similitude.errors import UsageError
 from similitude.log import Log
 from similitude.run import Assumed, Run
 from similitude.saved_state import SavedState
-from similitude.slow_bus import bridged, held_columns, without_repeats
+from similitude.slow_bus import bridged, held_columns, without_lines, without_repeats
 from similitude.steer_scale_doubt import steer_scale_doubts
 from similitude.stiffness_doubt import stiffness_doubts
 from similitude.vehicle_file import Vehicle
@@ -109,7 +109,8 @@ def _by_distance(log: Log, vehicle: Vehicle, estimator: str, spacing: float) -> 
             paste='identify(log, vehicle, spacing=0.4, estimator="population")',
             read='docs/filter.md, "Sampling by distance"',
         )
-    readings = bridged(without_repeats(log, held_columns(log)))
+    readings = without_lines(log)
+    readings = bridged(without_repeats(readings, held_columns(readings)))
     rows = by_distance(readings, spacing, wheelbase=wheelbase(vehicle))
     run = identify(rows, vehicle, estimator=estimator)
     assumed = {**run.assumed, "spacing": Assumed(spacing, "m", "the call: a row for each such distance")}

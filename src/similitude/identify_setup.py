@@ -20,7 +20,7 @@ from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
 from similitude.program.library import shipped
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
-from similitude.slow_bus import held_columns, new_readings, without_repeats
+from similitude.slow_bus import held_columns, new_readings, without_lines, without_repeats
 from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES, vehicle_prior
@@ -57,6 +57,7 @@ class Prepared:
 def prepare(log: Log, vehicle: Vehicle, settings: Mapping[str, float] | None = None) -> Prepared:
     """Prior, noise, steer lag and steer scale of a log; ``settings`` are those of the drives before it."""
     prior = vehicle_prior(vehicle)
+    log = without_lines(log)
     held = held_columns(log)
     if settings is not None:
         return _as_before(without_repeats(log, held), vehicle, prior, settings, held)

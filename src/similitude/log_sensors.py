@@ -75,7 +75,7 @@ _TEXTS = {
     "spikes": ("has {count} spikes", "single messages were damaged.", "drop_spikes"),
     "interpolated": (
         "lies on straight lines for {seconds:.3g} s",
-        "holes, or a slower sensor, were filled in by interpolation: nothing was measured there.",
+        "holes, or a slower sensor, were filled in by interpolation: nothing is learnt there.",
         "drop_interpolated",
     ),
 }

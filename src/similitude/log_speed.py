@@ -110,11 +110,8 @@ def _means(t: np.ndarray, signal: np.ndarray) -> np.ndarray:
     known = np.isfinite(signal)
     count = np.bincount(at[known], minlength=at[-1] + 1)
     total = np.bincount(at[known], signal[known], minlength=at[-1] + 1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        mean = (total[1:] + total[:-1]) / np.where(
-            np.minimum(count[1:], count[:-1]) > 0, count[1:] + count[:-1], 0
-        )
-    return mean
+    whole = np.minimum(count[1:], count[:-1]) > 0
+    return (total[1:] + total[:-1]) / np.where(whole, count[1:] + count[:-1], np.nan)
 
 
 def _joined(t: np.ndarray, speed: np.ndarray, header: str) -> list[Finding]:

@@ -1,10 +1,10 @@
-"""Readings that a slow bus repeats from row to row: which rows hold a new one, and the log without repeats.
+"""Rows that hold no reading of their own: repeats of a slow bus, and lines drawn across a hole.
 
 A logger at 100 Hz that reads a bus at 20 Hz writes each reading five times. Repeats are no measurements,
 and a held steer angle is late by half a bus period on average while the reading itself is not.
 
-Invariant: a new reading is never changed; only its repeats are: of the yaw rate they become missing, of
-steer and speed they lie on the curve to the next reading.
+Invariant: a new reading is never changed; only what stands between readings is: of the yaw rate it becomes
+missing, of a held steer or speed it lies on the curve to the next reading.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.log import Log
+from similitude.log_sensors import straight_rows
 
 LONGEST = 0.25  # s: slower than this a column is not held, it is missing
 FEWEST = 20  # changes, to speak of a period
@@ -93,6 +94,15 @@ def without_repeats(log: Log, held: Mapping[str, int]) -> Log:
         rest = np.nan if name == "r" else through(log.t, log.t[new], values[new])
         changed[name] = np.where(new | ~np.isfinite(values), values, rest)
     return replace(log, **changed)
+
+
+def without_lines(log: Log) -> Log:
+    """The log without yaw rates that lie on straight lines, where holes were filled in; they become missing.
+
+    A noisy sensor draws no line. Taken as measured, 26 s of one would speak of a car that does not answer.
+    """
+    lines = straight_rows(log.t, log.r)
+    return replace(log, r=np.where(lines, np.nan, log.r)) if lines.any() else log
 
 
 def bridged(log: Log) -> Log:
