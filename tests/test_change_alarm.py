@@ -1,5 +1,7 @@
 """Alarms over a log: their record, and a log told in two parts."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from similitude.change_alarm import KINDS, watch
@@ -37,7 +39,7 @@ def test_the_state_taken_up_is_the_state_left():
         log = done.setup.log
         part = type(log)(**{**vars(log), **{n: getattr(log, n)[rows] for n in ("t", "delta", "r", "U")}})
         step = None if state is None else float(log.t[half] - log.t[half - 1])
-        setup = type(done.setup)(**{**vars(done.setup), "log": part, "first_step": step})
+        setup = replace(done.setup, log=part, first_step=step)
         one = type(done)(setup, done.config, done.state, done.outputs[rows], done.status[rows])
         seen = watch(one, state)
         state = seen.state

@@ -42,7 +42,7 @@ DESIGN = {
     "noise_scale_high": 100.0,
     "excitation_ratio": 0.045,  # a sensitivity of a fifth of the noise, about 0.4 mrad of steer
     "excitation_rate": 1 / 5.0,  # 1/s
-    "seldom": 0.025,  # s: one sample in three of 100 a second; all of them would be overconfident
+    "seldom": 0.015,  # s: every other sample of 100 a second; all of them would be overconfident
     "surprise_rate": 1 / 0.5,  # 1/s
     "jump_ratio": 8.0,  # a car that is always restless must surprise more
     "surprise_limit": 1.5,  # the mean of 50 squared innovations is 1 with sd sqrt(2/50) = 0.2

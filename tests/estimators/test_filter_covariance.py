@@ -77,7 +77,7 @@ def test_what_never_learns_keeps_its_mean_and_variance():
     assert P[at, at] == pytest.approx(CAR.covariance[i, i], rel=1e-9)
 
 
-@pytest.mark.parametrize(("seldom", "every"), [(0.0, 1), (0.025, 3), (0.035, 4), (0.095, 10)])
+@pytest.mark.parametrize(("seldom", "every"), [(0.0, 1), (0.015, 2), (0.025, 3), (0.035, 4), (0.095, 10)])
 def test_what_is_learnt_seldom_moves_only_when_its_time_has_come(seldom, every):
     library = car()
     config = car_config(library, seldom=seldom)
