@@ -17,7 +17,7 @@ PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
-    "saturation",
+    "saturation model_text_faults model_text",
     "model groups population reduction",
     "matrix_function sampling",
     "estimators generated",
