@@ -19,6 +19,7 @@ FLOW = (
     "program",
     "saturation model_text_faults model_text",
     "model groups population reduction",
+    "symmetry",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",

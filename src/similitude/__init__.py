@@ -17,6 +17,7 @@ _ROOMS = {
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
     "run_scenario": "simulation.recording",
+    "scaling_symmetries": "symmetry.scalings",
 }
 
 __all__ = sorted(_ROOMS)

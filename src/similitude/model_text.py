@@ -213,7 +213,7 @@ class _Reader:
         return fault.cannot_go_on(*self.about, token.at, token.text, before)
 
     def _real(self, value: sp.Expr) -> sp.Expr:
-        if value.is_real is False and value.is_finite is not False:
+        if value.is_number and value.is_real is False and value.is_finite is not False:
             raise fault.not_real(*self.about, value)
         return value
 

@@ -1,0 +1,160 @@
+"""ScalingCheck: the scalings and the reduced system held against the equations, by other routes.
+
+    scaled     f_i(lambda^w z) against lambda^(w_i - w_t) f_i(z), at random points and random lambda
+    restored   each original rate against what the reduced system and the way back make of it
+    missed     scalings that exist and were not found: n - count - rank of (z_j d ln F_i/dz_j) over random
+               points, F_i = t f_i/x_i, in floats and without taking the equations apart
+
+Invariant: nothing of `relations` is used here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Floats, run
+from similitude.symmetry.equations import Equations
+from similitude.symmetry.reduced_system import ReducedSystem
+from similitude.symmetry.tape import record
+
+EXACT = 1e-40  # relative; rounding at DIGITS digits is near 1e-58
+POINTS = 3
+SPARE = 4  # points more than a rate has variables, for the rank
+FLAT = 1e-9  # singular values below this share of the largest are zero
+TRIES = 30
+
+
+@dataclass(frozen=True)
+class ScalingCheck:
+    """Largest relative deviations [-], and how many scalings were missed; true where all is well."""
+
+    scaled: float
+    restored: float
+    missed: int
+
+    def __bool__(self) -> bool:
+        return self.scaled < EXACT and self.restored < EXACT and not self.missed
+
+
+def check_scalings(
+    equations: Equations, weights: Sequence[Mapping[str, int]], reduced: ReducedSystem
+) -> ScalingCheck:
+    """Hold scalings and reduced system against the equations.
+
+    Raises
+    ------
+    ModelError    the equations are singular wherever they were tried.
+    """
+    with mpmath.workdps(DIGITS):
+        scaled = _scaled(equations, weights)
+        restored = _restored(equations, reduced)
+    return ScalingCheck(scaled, restored, _missed(equations, len(weights)))
+
+
+def _sides(equations: Equations) -> dict[str, sp.Expr]:
+    """Name -> what it, or its rate, equals."""
+    kept = {f"d{name}/dt": rate for name, rate in equations.rates.items()}
+    return kept | {name: value for name, value in equations.relations.items()}
+
+
+def _scaled(equations: Equations, weights: Sequence[Mapping[str, int]]) -> float:
+    sides = _sides(equations)
+    tape, names, time = record(sides.values()), equations.names, equations.time
+    left = [name[1:].removesuffix("/dt") if name.endswith("/dt") else name for name in sides]
+
+    def once(rng: np.random.Generator) -> float:
+        field = Digits()
+        point = dict(zip(names, field.draw(rng, len(names)), strict=True))
+        factor = dict.fromkeys(names, mpmath.mpf(1))
+        for row, scale in zip(weights, field.draw(rng, len(weights)), strict=True):
+            for name, power in row.items():
+                factor[name] *= scale**power
+        here = run(tape, field, {n: np.array([x], dtype=object) for n, x in point.items()})
+        there = run(tape, field, {n: np.array([x * factor[n]], dtype=object) for n, x in point.items()})
+        worst = 0.0
+        for side, name, a, b in zip(sides, left, here, there, strict=True):
+            by = factor[name] / (factor[time] if side.endswith("/dt") else 1)
+            worst = max(worst, _deviation(a[0] * by, b[0]))
+        return worst
+
+    return max(_at_points(once))
+
+
+def _restored(equations: Equations, reduced: ReducedSystem) -> float:
+    states = [name for name in equations.states if name in reduced.rates]
+    rates = [equations.rates[name] for name in states]
+    tape = record([*rates, *(reduced.restore(name) for name in states)])
+    names = sorted({s.name for e in rates for s in e.free_symbols} | set(equations.names))
+    names += [f"drift_{name}" for name in reduced.base if name in equations.signals]
+
+    def once(rng: np.random.Generator) -> float:
+        field = Digits()
+        point = {
+            n: np.array([x], dtype=object) for n, x in zip(names, field.draw(rng, len(names)), strict=True)
+        }
+        values = run(tape, field, point)
+        pairs = zip(values[: len(states)], values[len(states) :], strict=True)
+        return max((_deviation(a[0], b[0]) for a, b in pairs), default=0.0)
+
+    return max(_at_points(once))
+
+
+def _deviation(a, b) -> float:
+    size = max(abs(a), abs(b))
+    return float(abs(a - b) / size) if size else 0.0
+
+
+def _at_points(once) -> list[float]:
+    """Results at POINTS points where nothing is singular."""
+    found, seed = [], 0
+    while len(found) < POINTS:
+        try:
+            found.append(once(np.random.default_rng(seed)))
+        except BadPoint:
+            if seed > TRIES * POINTS:
+                raise
+        seed += 1
+    return found
+
+
+def _missed(equations: Equations, count: int) -> int:
+    """Scalings beyond `count`, from gradients in floats."""
+    names = equations.names
+    time = sp.Symbol(equations.time, real=True)
+    sides = [time * rate / sp.Symbol(name, real=True) for name, rate in equations.rates.items()]
+    sides += [value / sp.Symbol(name, real=True) for name, value in equations.relations.items()]
+    blocks = [_gradients(side, names) for side in sides if side.free_symbols]
+    together = np.concatenate([*blocks, np.zeros((1, len(names)))])
+    singular = np.linalg.svd(together, compute_uv=False)
+    rank = int(np.sum(singular > FLAT * singular[0])) if singular[0] else 0
+    return len(names) - count - rank
+
+
+def _gradients(side: sp.Expr, names: Sequence[str]) -> np.ndarray:
+    """An orthonormal basis (rank, n) of what the gradients z_j d ln F/dz_j span over the points."""
+    used = sorted((s.name for s in side.free_symbols), key=list(names).index)
+    tape, rows, seed = record([side]), [], 0
+    while len(rows) < len(used) + SPARE and seed < TRIES + len(used) + SPARE:
+        values = {}
+        draws = np.exp(2 * Floats().draw(np.random.default_rng([seed, 7]), len(used)) - 2)
+        for k, (name, z) in enumerate(zip(used, draws, strict=True)):
+            values[name] = np.zeros(1 + len(used))
+            values[name][[0, 1 + k]] = z
+        seed += 1
+        try:
+            value = run(tape, Floats(), values)[0]
+        except BadPoint:
+            continue
+        slopes = value[1:] / value[0]
+        size = np.linalg.norm(slopes)
+        rows.append(slopes / size if size > FLAT else 0 * slopes)
+    _, sizes, directions = np.linalg.svd(np.array(rows).reshape(-1, len(used)), full_matrices=False)
+    kept = directions[sizes > FLAT * sizes[0]] if sizes.size and sizes[0] else directions[:0]
+    wide = np.zeros((len(kept), len(names)))
+    wide[:, [list(names).index(name) for name in used]] = kept
+    return wide
