@@ -1,0 +1,230 @@
+"""Identifiability: which combinations of parameters the chosen outputs can see, and which they cannot.
+
+    y(t) = sum_k y_k t^k      y_k depends on parameters p and start x(0); J = d(y_0, y_1, ...)/d ln(p, x(0))
+
+A direction of ln p (and ln x(0)) that J sends to zero leaves every output as it is, to first order, for any
+input: no experiment tells it. J is evaluated at random points, from random starts and under random inputs,
+in integers modulo a prime where the system is rational and in sixty digits where it is not.
+
+    unseen     directions that are the same at every point: powers lambda^w of parameters, exactly
+    shifts     the same for sums: parameters that may be added in these proportions
+    curved     how many more directions there are that turn from point to point
+    seen       monomials that every one of these directions leaves alone: what the outputs do tell
+
+"Local": up to finitely many other values. "Generic": at almost every value, start and input; a system at
+rest or an input that is held shows less.
+
+References: A. Sedoglavic, A probabilistic algorithm to test local algebraic observability in polynomial
+time, Journal of Symbolic Computation 33 (2002); J. Karlsson, M. Anguelova, M. Jirstrand, An efficient
+method for structural identifiability analysis of large dynamic systems, SYSID 2012.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from similitude.errors import ModelError
+from similitude.symmetry.arithmetic import DIGITS, PRIME, BadPoint, Digits, Modular, Series
+from similitude.symmetry.equations import Equations
+from similitude.symmetry.lattice import kernel, saturated
+from similitude.symmetry.row_space import null_vectors, reduced, whole_rows
+from similitude.symmetry.tape import Tape, record
+
+POINTS = 3
+PATIENCE = 2  # orders without a new direction, after which there is none
+TRIES = 40
+
+
+@dataclass(frozen=True)
+class Identifiability:
+    """What outputs can and cannot see of ``parameters``, with ``known`` ones given.
+
+    ``unseen``, ``shifts``: name -> whole number, zeros left out; ``curved``: number of further directions,
+    ``involved``: parameters that they move; ``seen``: monomials, name -> exponent; ``hidden_states``: states
+    whose start the outputs do not tell although it moves no parameter.
+    """
+
+    outputs: tuple[str, ...]
+    parameters: tuple[str, ...]
+    known: tuple[str, ...]
+    unseen: tuple[Mapping[str, int], ...]
+    shifts: tuple[Mapping[str, int], ...]
+    curved: int
+    involved: tuple[str, ...]
+    seen: tuple[Mapping[str, Fraction], ...]
+    hidden_states: tuple[str, ...]
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every parameter can be told from the outputs, locally."""
+        return not self.unseen and not self.curved
+
+
+def identifiability(
+    equations: Equations,
+    outputs: Mapping[str, sp.Expr],
+    *,
+    known: Sequence[str] = (),
+    varying: Sequence[str] = (),
+) -> Identifiability:
+    """Which parameter combinations the outputs determine.
+
+    Parameters
+    ----------
+    equations : Equations    constraints among its relations are put in place of their parameter.
+    outputs : name -> expression in states, signals and parameters.
+    known : parameters whose value is given.
+    varying : parameters that are measured and change in time; known as well.
+
+    Returns
+    -------
+    Identifiability    about the parameters that are neither known nor given by a constraint.
+
+    Raises
+    ------
+    ModelError    a name that is no parameter, or a system that is singular at every point tried.
+    """
+    strange = [name for name in (*known, *varying) if name not in equations.parameters]
+    if strange:
+        raise ModelError(
+            f"known is given {strange[0]!r}, which is no parameter (there are "
+            f"{', '.join(equations.parameters) or 'none'})",
+            usually="A name was misspelt; states and inputs need not be named.",
+            paste=f"known={list(equations.parameters[:1])!r}",
+            read='docs/symmetries.md, "What the outputs cannot see"',
+        )
+    given = {sp.Symbol(n, real=True): e for n, e in equations.relations.items() if n in equations.parameters}
+    free = [
+        n
+        for n in equations.parameters
+        if n not in (*known, *varying) and sp.Symbol(n, real=True) not in given
+    ]
+    sides = [_free_of(e, given) for e in (*equations.rates.values(), *outputs.values())]
+    tape = record(sides)
+    plan = _Plan(tape, equations, tuple(free), tuple(varying), len(outputs))
+    with mpmath.workdps(DIGITS):
+        points = [plan.sensitivities(seed) for seed in range(POINTS)]
+        return _judge(plan, points, outputs, known=(*known, *varying))
+
+
+def _free_of(e: sp.Expr, given: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
+    for _ in given:  # a constraint may use another
+        e = e.xreplace(given)
+    return e
+
+
+@dataclass(frozen=True)
+class _Plan:
+    tape: Tape
+    equations: Equations
+    free: tuple[str, ...]
+    varying: tuple[str, ...]
+    outputs: int
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        return (*self.free, *self.equations.states)
+
+    def sensitivities(self, seed: int) -> tuple[np.ndarray, np.ndarray]:
+        """Reduced rows of J in logarithms and in plain values, at one random point."""
+        for attempt in range(TRIES):
+            try:
+                return self._at(np.random.default_rng([seed, attempt]))
+            except BadPoint:
+                continue
+        raise ModelError(
+            f"the rates of {', '.join(self.equations.states)} are singular wherever they were tried",
+            usually="A root or a logarithm is taken of what is negative for states and parameters near one.",
+            paste="sqrt(abs(x))   # where the sign may change",
+            read='docs/symmetries.md, "What the outputs cannot see"',
+        )
+
+    def _at(self, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        field = Modular() if self.tape.rational else Digits()
+        symbols, values = self._start(rng, field)
+        series = Series(self.tape, field, symbols)
+        states, rows, rank, idle = self.equations.states, [], 0, 0
+        basis = np.zeros((0, len(values)), dtype=field.dtype)
+        for order in range(len(values) + PATIENCE):
+            found = series.advance()
+            for name, rate in zip(states, found[: len(states)], strict=True):
+                share = field.number(sp.Rational(1, order + 1))
+                symbols[name].append(field.wrap(rate * share))
+            rows = [field.wrap(y[1:] * values) for y in found[len(states) :]]
+            basis = reduced(np.array([*basis, *rows], dtype=field.dtype).reshape(-1, len(values)))[0]
+            idle = idle + 1 if len(basis) == rank else 0
+            rank = len(basis)
+            if idle == PATIENCE or rank == len(values):
+                break
+        return basis, field.wrap(basis * field.inverse(values))
+
+    def _start(self, rng: np.random.Generator, field) -> tuple[dict[str, list[np.ndarray]], np.ndarray]:
+        """Series of every symbol: parameters and starts with their slopes, inputs as random polynomials."""
+        columns, orders = self.columns, len(self.columns) + PATIENCE + 1
+        values = field.draw(rng, len(columns))
+        width = 1 + len(columns)
+        symbols: dict[str, list[np.ndarray]] = {}
+        for k, name in enumerate(columns):
+            first = np.zeros(width, dtype=field.dtype)
+            first[0], first[1 + k] = values[k], 1
+            symbols[name] = [first]
+        moving = (*self.equations.signals, *self.varying)
+        for name in (*moving, *(n for n in self.equations.parameters if n not in (*self.free, *moving))):
+            coefficients = field.draw(rng, orders if name in moving else 1)
+            symbols[name] = [np.array([c, *[0] * (width - 1)], dtype=field.dtype) for c in coefficients]
+        now = np.array([[c, *[0] * (width - 1)] for c in (field.draw(rng, 1)[0], 1)], dtype=field.dtype)
+        symbols[self.equations.time] = list(now)
+        return symbols, values
+
+
+def _judge(plan: _Plan, points, outputs: Mapping[str, sp.Expr], *, known: Sequence[str]) -> Identifiability:
+    columns, width, p = plan.columns, len(plan.columns), len(plan.free)
+    kernels = [null_vectors(logarithmic) for logarithmic, _ in points]
+    common = _common([logarithmic for logarithmic, _ in points], width)
+    directions = [row for row in common if any(row[:p])]
+    hidden = [row for row in common if not any(row[:p])]
+    turning = np.concatenate([k[:, :p] for k in kernels])
+    seen = kernel(whole_rows(turning), p) if len(turning) else kernel([], p)
+    blind = len(reduced(kernels[0][:, :p])[0]) if len(kernels[0]) else 0
+    curved = max(0, blind - len(directions))
+    added = _common([plain for _, plain in points], width) if curved else []
+    return Identifiability(
+        outputs=tuple(outputs),
+        parameters=plan.free,
+        known=tuple(known),
+        unseen=tuple(_named(columns, row, p) for row in directions),
+        shifts=tuple(_named(columns, row, p) for row in added if any(row[:p])),
+        curved=curved,
+        involved=_turned(plan, directions, kernels[0]) if curved else (),
+        seen=tuple({n: Fraction(x) for n, x in zip(plan.free, row, strict=True) if x} for row in seen),
+        hidden_states=tuple(
+            name for j, name in enumerate(columns) if j >= p and any(row[j] for row in hidden)
+        ),
+    )
+
+
+def _common(blocks: list[np.ndarray], width: int) -> list[list[int]]:
+    """Directions that every point's sensitivities send to zero, as whole numbers."""
+    together = np.concatenate(blocks)
+    return saturated(kernel(whole_rows(together), width), width)
+
+
+def _named(columns: Sequence[str], row: Sequence[int], p: int) -> dict[str, int]:
+    names = [*columns[:p], *(f"{name}(0)" for name in columns[p:])]
+    return {name: x for name, x in zip(names, row, strict=True) if x}
+
+
+def _turned(plan: _Plan, directions: list[list[int]], at_first: np.ndarray) -> tuple[str, ...]:
+    """Parameters that a direction of the first point moves and no power law explains."""
+    p = len(plan.free)
+    wrap = (lambda x: x % PRIME) if at_first.dtype == np.int64 else mpmath.mpf
+    laws = np.array([[wrap(x) for x in row[:p]] for row in directions], dtype=at_first.dtype).reshape(-1, p)
+    rank = len(reduced(laws)[0])
+    extra = [row[:p] for row in at_first if len(reduced(np.concatenate([laws, row[None, :p]]))[0]) > rank]
+    return tuple(name for j, name in enumerate(plan.free) if any(row[j] for row in extra))

@@ -1,0 +1,77 @@
+"""Row spaces of residues and of long numbers: reduced rows, null vectors, and fractions read back.
+
+Invariant: in residues a rank is the rank, up to the choice of the prime; in long numbers what is smaller
+than FLAT of its row's largest entry is zero, with half the digits to spare on both sides.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+
+from similitude.symmetry.arithmetic import PRIME
+from similitude.symmetry.lattice import integers
+from similitude.symmetry.relations import eliminate, fraction_of
+
+FLAT = mpmath.mpf(10) ** -25
+LARGEST = 10**4  # denominators of exponents
+
+
+def reduced(matrix: np.ndarray) -> tuple[np.ndarray, list[int]]:
+    """Reduced row echelon form of residues (int64) or mpmath numbers (object), and its pivots."""
+    return eliminate(matrix) if matrix.dtype == np.int64 else _eliminate_digits(matrix)
+
+
+def null_vectors(matrix: np.ndarray) -> np.ndarray:
+    """Rows (n - rank, n) that the matrix (m, n) sends to zero."""
+    rows, pivots = reduced(matrix)
+    width = matrix.shape[1]
+    free = [j for j in range(width) if j not in pivots]
+    found = np.zeros((len(free), width), dtype=matrix.dtype)
+    for i, j in enumerate(free):
+        found[i, j] = 1
+        for k, pivot in enumerate(pivots):
+            found[i, pivot] = -rows[k, j]
+    return found % PRIME if matrix.dtype == np.int64 else found
+
+
+def whole_rows(matrix: np.ndarray) -> list[list[int]]:
+    """The reduced rows as shortest integers; rows that are no small fractions are left out."""
+    found = []
+    for row in reduced(matrix)[0]:
+        exact = [_exact(x) for x in row]
+        if None not in exact:
+            found.append(integers(exact))
+    return found
+
+
+def _exact(value) -> Fraction | None:
+    if isinstance(value, (int, np.integer)):
+        return fraction_of(int(value))
+    near = Fraction(str(mpmath.nstr(value, 30))).limit_denominator(LARGEST)
+    return near if abs(mpmath.mpf(near.numerator) / near.denominator - value) < 1e-15 else None
+
+
+def _eliminate_digits(matrix: np.ndarray) -> tuple[np.ndarray, list[int]]:
+    rows = matrix.copy()
+    for i, row in enumerate(rows):
+        size = max((abs(x) for x in row), default=0)
+        if size:
+            rows[i] = row / size
+    pivots: list[int] = []
+    for j in range(rows.shape[1]):
+        k = len(pivots)
+        if k == len(rows):
+            break
+        best = max(range(k, len(rows)), key=lambda i: abs(rows[i, j]))
+        if abs(rows[best, j]) < FLAT:
+            continue
+        rows[[k, best]] = rows[[best, k]]
+        rows[k] = rows[k] / rows[k, j]
+        for i in range(len(rows)):
+            if i != k and rows[i, j]:
+                rows[i] = rows[i] - rows[i, j] * rows[k]
+        pivots.append(j)
+    return rows[: len(pivots)], pivots
