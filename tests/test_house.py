@@ -18,6 +18,7 @@ FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
     "saturation model_text_faults model_text",
+    "homogeneity model_formulas",
     "model groups population reduction",
     "symmetry",
     "matrix_function sampling",
