@@ -18,7 +18,7 @@ FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
     "saturation",
-    "model groups population reduction",
+    "model dimensional groups population reduction",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",

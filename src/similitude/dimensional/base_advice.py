@@ -13,12 +13,12 @@ Invariant: a base that is listed is valid, and no verdict or rank depends on the
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice
+from itertools import islice, product
 from typing import TYPE_CHECKING
 
-from similitude.dimensional.base_check import BaseCheck, check_base, independent_sets, is_lonely
+from similitude.dimensional.base_check import BaseCheck, check_base, independent_sets, lonely
 from similitude.dimensional.base_faults import base_names
 from similitude.dimensional.base_ranking import RankedBase, rank_bases
 from similitude.dimensional.exact_span import empty_span
@@ -125,12 +125,12 @@ def advise_base(
     _sds(spread or {})
     candidates = tuple(name for name in candidates if name not in sought)
     first = sorted(candidates, key=lambda name: _preference(matrix, name, spread, measured))
-    bases = list(islice(independent_sets(matrix, first, empty_span(len(matrix.rows))), most + 1))
+    bases = list(islice(_bases(matrix, first), most + 1))
     ordered = [tuple(sorted(base, key=candidates.index)) for base in bases[:most]]
     return BaseAdvice(
         ranked=rank_bases(matrix, ordered, candidates, spread=spread, measured=measured),
         complete=len(bases) <= most,
-        lonely=tuple(name for name in matrix.names if is_lonely(matrix, name)),
+        lonely=lonely(matrix),
         matrix=matrix,
         candidates=candidates,
     )
@@ -143,6 +143,17 @@ def _variables(system: Mapping[str, str] | Model, angle: bool) -> tuple[Dimensio
     units = {q.name: q.unit for q in system.quantities}
     units |= {"time" if "time" not in units else "the time": "s"}
     return dimension_matrix(units, angle=angle), tuple(q.name for q in system.parameters)
+
+
+def _bases(matrix: DimensionMatrix, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
+    """Valid bases, those first that differ in more than which of two lengths they take."""
+    alike: dict[tuple, list[str]] = {}
+    for name in names:
+        alike.setdefault(matrix.column(name), []).append(name)
+    for others in (False, True):
+        for kinds in independent_sets(matrix, [own[0] for own in alike.values()], empty_span(len(matrix.rows))):
+            choices = product(*(alike[matrix.column(name)] for name in kinds))
+            yield from islice(choices, 1, None) if others else islice(choices, 1)
 
 
 def _preference(matrix: DimensionMatrix, name: str, spread, measured) -> tuple:

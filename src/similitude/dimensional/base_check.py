@@ -129,7 +129,7 @@ def check_base(
         product=product,
         kept=kept,
         unreached=unreached,
-        lonely=tuple(name for name in unreached if is_lonely(matrix, name)),
+        lonely=tuple(name for name in lonely(matrix) if name in unreached),
         completions=() if valid else tuple(islice(wanted, MOST_COMPLETIONS)),
         rank=matrix.rank,
     )
@@ -147,13 +147,13 @@ def _last_first(pair: tuple[str, int]) -> bool:
     return pair[1] < 0
 
 
-def is_lonely(matrix: DimensionMatrix, name: str) -> bool:
-    """Whether no product of powers with this variable in it is dimensionless."""
-    column = matrix.column(name)
-    if not any(column):
-        return False
-    others = [c for own, c in zip(matrix.names, matrix.columns, strict=True) if own != name]
-    return not leading(others, len(matrix.rows))[1].holds(column)
+def lonely(matrix: DimensionMatrix) -> tuple[str, ...]:
+    """The variables that are in no dimensionless product: nothing else cancels their dimension."""
+    places, span = matrix.leading
+    used = [False] * span.rank
+    for column in {c for place, c in enumerate(matrix.columns) if place not in places}:
+        used = [was or bool(x) for was, x in zip(used, span.exponents(column), strict=True)]
+    return tuple(matrix.names[place] for place, was in zip(places, used, strict=True) if not was)
 
 
 def independent_sets(

@@ -90,9 +90,11 @@ def rank_bases(
     R = R.reshape(len(matrix.names), span.rank).T  # (r, n)
     at = np.array([[matrix.names.index(name) for name in base] for base in bases], dtype=int)
     E = np.linalg.solve(R[:, at].transpose(1, 0, 2), np.broadcast_to(R, (len(bases), *R.shape)))  # (k, r, n)
-    singular = np.linalg.svd(E, compute_uv=False) if at.size else np.ones((len(bases), 1))
+    # of E E' (k, r, r), small where E is long; 1 where there is no dimension at all
+    squares = np.linalg.eigvalsh(E @ E.transpose(0, 2, 1)) if at.size else np.ones((len(bases), 1))
+    condition = np.sqrt(squares[:, -1] / squares[:, 0])
     ranked = [
-        _ranked(base, E[i], singular[i], at[i], spread=spread, measured=measured)
+        _ranked(base, E[i], float(condition[i]), at[i], spread=spread, measured=measured)
         for i, base in enumerate(bases)
     ]
     place = {name: i for i, name in enumerate(candidates)}
@@ -104,7 +106,7 @@ def _grade(one: RankedBase) -> tuple:
     return len(one.unmeasured), len(one.unstated), drift or 0.0, round(one.condition, DIGITS), one.largest
 
 
-def _ranked(base, E, singular, at, *, spread, measured) -> RankedBase:
+def _ranked(base, E, condition, at, *, spread, measured) -> RankedBase:
     import numpy as np
 
     groups = np.delete(E, at, axis=1)  # (r, n - r)
@@ -119,6 +121,6 @@ def _ranked(base, E, singular, at, *, spread, measured) -> RankedBase:
         unmeasured=() if measured is None else tuple(n for n in base if n not in measured),
         unstated=() if spread is None else tuple(n for n in base if n not in spread),
         drift=drift,
-        condition=float(singular[0] / singular[-1]),
+        condition=condition,
         largest=Fraction(largest).limit_denominator(1000),
     )
