@@ -212,4 +212,4 @@ def _spanned(columns: Sequence[Column]) -> list[str]:
         lead = [x / lead[k] for x in lead]
         rows = [[x - row[k] * y for x, y in zip(row, lead, strict=True)] for row in rows]
         found = [[x - row[k] * y for x, y in zip(row, lead, strict=True)] for row in found] + [lead]
-    return [column_text(tuple(row)) for row in found]
+    return [column_text(tuple(map(Fraction, smallest_integers(row)))) for row in found]
