@@ -19,7 +19,7 @@ FLOW = (
     "program",
     "saturation model_text_faults model_text",
     "homogeneity model_formulas",
-    "model groups population reduction",
+    "model dimensional groups population reduction",
     "symmetry",
     "matrix_function sampling",
     "estimators generated",

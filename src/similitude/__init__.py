@@ -10,14 +10,19 @@ _ROOMS = {
     "Log": "log",
     "Run": "run",
     "SimilitudeError": "errors",
+    "System": "systems.system",
     "Vehicle": "vehicle_file",
+    "advise_base": "dimensional.base_advice",
     "bicycle_response": "simulate",
+    "check_system": "systems.check",
     "identify": "identification",
+    "pi_groups": "dimensional.pi_groups",
     "read_log": "log",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
     "run_scenario": "simulation.recording",
     "scaling_symmetries": "symmetry.scalings",
+    "shipped_system": "systems.shipped",
 }
 
 __all__ = sorted(_ROOMS)
