@@ -79,6 +79,7 @@ def test_a_bicycle_at_constant_speed_tells_the_numerator_of_its_transfer_functio
     assert found.parameters == names  # b is L - a
     assert found.unseen == ({"m": 1, "Caf": 1, "Car": 1, "Iz": 1},)
     assert found.curved == 1
+    assert found.determined == 4  # the coefficients of the transfer function
     assert span([*found.seen, *meant], names).rank() == span(found.seen, names).rank() == 2
 
 

@@ -41,9 +41,10 @@ def test_rows_come_back_as_whole_numbers(make):
         assert whole_rows(make([[3, 0, 1], [0, 2, -1]])) == [[3, 0, 1], [0, 2, -1]]
 
 
-def test_a_row_that_is_no_fraction_is_left_out():
+def test_nothing_is_said_about_columns_of_a_row_that_is_no_fraction():
     with mpmath.workdps(60):
-        assert whole_rows(np.array([[mpmath.mpf(1), mpmath.pi]], dtype=object)) == []
+        assert whole_rows(np.array([[mpmath.mpf(1), mpmath.pi, 0]], dtype=object)) == [[1, 0, 0], [0, 1, 0]]
+    assert whole_rows(np.array([[1, 1234567891, 0]])) == [[1, 0, 0], [0, 1, 0]]
 
 
 def test_no_rows_leave_everything():

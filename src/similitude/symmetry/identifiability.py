@@ -30,14 +30,14 @@ import numpy as np
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.arithmetic import DIGITS, PRIME, BadPoint, Digits, Modular, Series
+from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Modular, Series
 from similitude.symmetry.equations import Equations
-from similitude.symmetry.lattice import kernel, saturated
+from similitude.symmetry.lattice import kernel
 from similitude.symmetry.row_space import null_vectors, reduced, whole_rows
 from similitude.symmetry.tape import Tape, record
 
-POINTS = 3
 PATIENCE = 2  # orders without a new direction, after which there is none
+SPARE = 3  # points more than there are directions, at most
 TRIES = 40
 
 
@@ -45,9 +45,10 @@ TRIES = 40
 class Identifiability:
     """What outputs can and cannot see of ``parameters``, with ``known`` ones given.
 
-    ``unseen``, ``shifts``: name -> whole number, zeros left out; ``curved``: number of further directions,
-    ``involved``: parameters that they move; ``seen``: monomials, name -> exponent; ``hidden_states``: states
-    whose start the outputs do not tell although it moves no parameter.
+    ``unseen``, ``shifts``: name -> whole number, zeros left out; ``curved``: number of unseen directions that
+    are no power laws, ``involved``: parameters that an unseen direction moves where there are such; ``seen``:
+    monomials, name -> exponent; ``hidden_states``: states whose start the outputs do not tell although it
+    moves no parameter.
     """
 
     outputs: tuple[str, ...]
@@ -59,6 +60,11 @@ class Identifiability:
     involved: tuple[str, ...]
     seen: tuple[Mapping[str, Fraction], ...]
     hidden_states: tuple[str, ...]
+
+    @property
+    def determined(self) -> int:
+        """How many numbers the outputs tell: the monomials of ``seen``, and sums and the like."""
+        return len(self.parameters) - len(self.unseen) - self.curved
 
     @property
     def is_complete(self) -> bool:
@@ -109,8 +115,7 @@ def identifiability(
     tape = record(sides)
     plan = _Plan(tape, equations, tuple(free), tuple(varying), len(outputs))
     with mpmath.workdps(DIGITS):
-        points = [plan.sensitivities(seed) for seed in range(POINTS)]
-        return _judge(plan, points, outputs, known=(*known, *varying))
+        return _judge(plan, _gather(plan), outputs, known=(*known, *varying))
 
 
 def _free_of(e: sp.Expr, given: Mapping[sp.Symbol, sp.Expr]) -> sp.Expr:
@@ -129,6 +134,7 @@ class _Plan:
 
     @property
     def columns(self) -> tuple[str, ...]:
+        """Names whose slopes are carried: parameters, then starts."""
         return (*self.free, *self.equations.states)
 
     def sensitivities(self, seed: int) -> tuple[np.ndarray, np.ndarray]:
@@ -183,48 +189,74 @@ class _Plan:
         return symbols, values
 
 
-def _judge(plan: _Plan, points, outputs: Mapping[str, sp.Expr], *, known: Sequence[str]) -> Identifiability:
+@dataclass(frozen=True)
+class _Rows:
+    """Reduced rows over enough points: sensitivities in two kinds, and the directions they miss."""
+
+    logarithmic: np.ndarray  # (., p + n)
+    plain: np.ndarray
+    turning: np.ndarray  # (., p) null vectors of all points
+    first: np.ndarray  # null vectors of the first point, (., p + n)
+
+    @property
+    def ranks(self) -> tuple[int, int, int]:
+        """What no further point may change."""
+        return len(self.logarithmic), len(self.plain), len(self.turning)
+
+
+def _gather(plan: _Plan) -> _Rows:
+    """Points are added until one of them brings nothing new."""
+    p, width = len(plan.free), len(plan.columns)
+    rows = None
+    for seed in range(width + SPARE):
+        logarithmic, plain = plan.sensitivities(seed)
+        missed = null_vectors(logarithmic)
+        if rows is None:
+            rows = _Rows(logarithmic, plain, reduced(missed[:, :p])[0], missed)
+            continue
+        more = _Rows(
+            _together(rows.logarithmic, logarithmic),
+            _together(rows.plain, plain),
+            _together(rows.turning, missed[:, :p]),
+            rows.first,
+        )
+        if more.ranks == rows.ranks:
+            break
+        rows = more
+    return rows
+
+
+def _together(rows: np.ndarray, more: np.ndarray) -> np.ndarray:
+    return reduced(np.concatenate([rows, more]))[0]
+
+
+def _judge(
+    plan: _Plan, rows: _Rows, outputs: Mapping[str, sp.Expr], *, known: Sequence[str]
+) -> Identifiability:
     columns, width, p = plan.columns, len(plan.columns), len(plan.free)
-    kernels = [null_vectors(logarithmic) for logarithmic, _ in points]
-    common = _common([logarithmic for logarithmic, _ in points], width)
+    common = kernel(whole_rows(rows.logarithmic), width)
     directions = [row for row in common if any(row[:p])]
+    curved = len(reduced(rows.first[:, :p])[0]) - len(directions)
+    added = kernel(whole_rows(rows.plain), width) if curved else []
     hidden = [row for row in common if not any(row[:p])]
-    turning = np.concatenate([k[:, :p] for k in kernels])
-    seen = kernel(whole_rows(turning), p) if len(turning) else kernel([], p)
-    blind = len(reduced(kernels[0][:, :p])[0]) if len(kernels[0]) else 0
-    curved = max(0, blind - len(directions))
-    added = _common([plain for _, plain in points], width) if curved else []
     return Identifiability(
         outputs=tuple(outputs),
         parameters=plan.free,
         known=tuple(known),
         unseen=tuple(_named(columns, row, p) for row in directions),
-        shifts=tuple(_named(columns, row, p) for row in added if any(row[:p])),
+        shifts=tuple(_named(columns, row, p) for row in added if sum(map(bool, row[:p])) > 1),
         curved=curved,
-        involved=_turned(plan, directions, kernels[0]) if curved else (),
-        seen=tuple({n: Fraction(x) for n, x in zip(plan.free, row, strict=True) if x} for row in seen),
-        hidden_states=tuple(
-            name for j, name in enumerate(columns) if j >= p and any(row[j] for row in hidden)
+        involved=tuple(
+            n for n, moved in zip(plan.free, rows.turning.T, strict=True) if curved and any(moved)
         ),
+        seen=tuple(
+            {n: Fraction(x) for n, x in zip(plan.free, row, strict=True) if x}
+            for row in kernel(whole_rows(rows.turning), p)
+        ),
+        hidden_states=tuple(n for j, n in enumerate(columns) if j >= p and any(row[j] for row in hidden)),
     )
-
-
-def _common(blocks: list[np.ndarray], width: int) -> list[list[int]]:
-    """Directions that every point's sensitivities send to zero, as whole numbers."""
-    together = np.concatenate(blocks)
-    return saturated(kernel(whole_rows(together), width), width)
 
 
 def _named(columns: Sequence[str], row: Sequence[int], p: int) -> dict[str, int]:
     names = [*columns[:p], *(f"{name}(0)" for name in columns[p:])]
     return {name: x for name, x in zip(names, row, strict=True) if x}
-
-
-def _turned(plan: _Plan, directions: list[list[int]], at_first: np.ndarray) -> tuple[str, ...]:
-    """Parameters that a direction of the first point moves and no power law explains."""
-    p = len(plan.free)
-    wrap = (lambda x: x % PRIME) if at_first.dtype == np.int64 else mpmath.mpf
-    laws = np.array([[wrap(x) for x in row[:p]] for row in directions], dtype=at_first.dtype).reshape(-1, p)
-    rank = len(reduced(laws)[0])
-    extra = [row[:p] for row in at_first if len(reduced(np.concatenate([laws, row[None, :p]]))[0]) > rank]
-    return tuple(name for j, name in enumerate(plan.free) if any(row[j] for row in extra))

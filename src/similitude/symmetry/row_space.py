@@ -16,7 +16,8 @@ from similitude.symmetry.lattice import integers
 from similitude.symmetry.relations import eliminate, fraction_of
 
 FLAT = mpmath.mpf(10) ** -25
-LARGEST = 10**4  # denominators of exponents
+LARGEST = 10**3  # numerator and denominator of an exponent
+CLOSE = 1e-15  # long numbers this near a small fraction are it
 
 
 def reduced(matrix: np.ndarray) -> tuple[np.ndarray, list[int]]:
@@ -38,20 +39,27 @@ def null_vectors(matrix: np.ndarray) -> np.ndarray:
 
 
 def whole_rows(matrix: np.ndarray) -> list[list[int]]:
-    """The reduced rows as shortest integers; rows that are no small fractions are left out."""
+    """The reduced rows as shortest integers, for questions about vectors that they send to zero.
+
+    A row that is no small fraction, as irrational exponents make it, is answered with a row for each of its
+    entries: nothing is then said about these columns rather than something wrong.
+    """
     found = []
     for row in reduced(matrix)[0]:
         exact = [_exact(x) for x in row]
         if None not in exact:
             found.append(integers(exact))
+        else:
+            found += [[int(j == k) for j in range(len(row))] for k, x in enumerate(row) if x]
     return found
 
 
 def _exact(value) -> Fraction | None:
     if isinstance(value, (int, np.integer)):
-        return fraction_of(int(value))
-    near = Fraction(str(mpmath.nstr(value, 30))).limit_denominator(LARGEST)
-    return near if abs(mpmath.mpf(near.numerator) / near.denominator - value) < 1e-15 else None
+        near = fraction_of(int(value))
+        return near if max(abs(near.numerator), near.denominator) <= LARGEST else None
+    near = Fraction(mpmath.nstr(value, 30)).limit_denominator(LARGEST)
+    return near if abs(mpmath.mpf(near.numerator) / near.denominator - value) < CLOSE else None
 
 
 def _eliminate_digits(matrix: np.ndarray) -> tuple[np.ndarray, list[int]]:
