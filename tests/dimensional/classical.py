@@ -48,7 +48,12 @@ CASES = {
     ),
     "heat transfer in a tube": Case(
         {
-            "h": "W/(m^2 K)", "D": "m", "V": "m/s", "rho": "kg/m^3", "mu": "kg/(m s)", "cp": "J/(kg K)",
+            "h": "W/(m^2 K)",
+            "D": "m",
+            "V": "m/s",
+            "rho": "kg/m^3",
+            "mu": "kg/(m s)",
+            "cp": "J/(kg K)",
             "k": "W/(m K)",
         },
         ["D", "rho", "mu", "k"],

@@ -18,7 +18,7 @@ from .classical import CASES
 
 def matrix_of(groups, names) -> sp.Matrix:
     rows = [[sp.Rational(g.get(n, 0).numerator, g.get(n, 0).denominator) for n in names] for g in groups]
-    return sp.Matrix(len(rows), len(names), sum(rows, []))
+    return sp.Matrix(len(rows), len(names), [x for row in rows for x in row])
 
 
 def same_span(some, others, names) -> bool:
@@ -109,9 +109,11 @@ def test_another_order_permutes_the_groups_of_a_base(name):
 
 # the same quantities in other units: US customary, centimetre-gram-second, prefixes
 OTHER = {
-    "Pa": ("psi", "dyn/cm^2", "kPa"), "m": ("ft", "cm", "mi"), "m/s": ("mph", "cm/s", "kn"), "J": ("ft lbf", "erg"),
+    "Pa": ("psi", "dyn/cm^2", "kPa"), "m": ("ft", "cm", "mi"), "m/s": ("mph", "cm/s", "kn"),
+    "J": ("ft lbf", "erg"),
     "kg/m^3": ("slug/ft^3", "g/cm^3", "lb/ft^3"), "Pa s": ("poise", "lbf s/ft^2", "mPa s"), "mm": ("in",),
-    "N": ("lbf", "dyn"), "W": ("hp", "kW"), "kg": ("lb", "oz", "t"), "s": ("h", "ms"), "m/s^2": ("gn", "ft/s^2"),
+    "N": ("lbf", "dyn"), "W": ("hp", "kW"), "kg": ("lb", "oz", "t"), "s": ("h", "ms"),
+    "m/s^2": ("gn", "ft/s^2"),
     "m^2/s": ("ft^2/s", "stokes"), "W/K": ("kW/K",), "rad": ("deg", "rev"), "N/m": ("lbf/ft",), "V": ("mV",),
     "ohm": ("kohm",), "F": ("uF",), "H": ("mH",), "kg m^2": ("slug ft^2",), "N/rad": ("lbf/deg",),
 }  # fmt: skip

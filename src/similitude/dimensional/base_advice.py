@@ -99,8 +99,8 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model, whose base is made of parameters and has to
-        measure its states, inputs, outputs and time as well.
+    system : name -> unit of every variable; or a Model, whose base is made of parameters (those that
+        no constraint gives) and has to measure its states, inputs, outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
         that holds still is preferred. A variable not named here comes after those that are.
@@ -142,7 +142,8 @@ def _variables(system: Mapping[str, str] | Model, angle: bool) -> tuple[Dimensio
         return matrix, matrix.names
     units = {q.name: q.unit for q in system.quantities}
     units |= {"time" if "time" not in units else "the time": "s"}
-    return dimension_matrix(units, angle=angle), tuple(q.name for q in system.parameters)
+    free = (q.name for q in system.parameters if q.name not in system.constraints)
+    return dimension_matrix(units, angle=angle), tuple(free)
 
 
 def _bases(matrix: DimensionMatrix, names: Sequence[str]) -> Iterator[tuple[str, ...]]:
@@ -150,8 +151,9 @@ def _bases(matrix: DimensionMatrix, names: Sequence[str]) -> Iterator[tuple[str,
     alike: dict[tuple, list[str]] = {}
     for name in names:
         alike.setdefault(matrix.column(name), []).append(name)
+    first, nothing = [own[0] for own in alike.values()], empty_span(len(matrix.rows))
     for others in (False, True):
-        for kinds in independent_sets(matrix, [own[0] for own in alike.values()], empty_span(len(matrix.rows))):
+        for kinds in independent_sets(matrix, first, nothing):
             choices = product(*(alike[matrix.column(name)] for name in kinds))
             yield from islice(choices, 1, None) if others else islice(choices, 1)
 

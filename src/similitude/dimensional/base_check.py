@@ -63,9 +63,7 @@ class BaseCheck:
         if self.unreached:
             some = [f"{name} [{text}]" for name, text in islice(self.unreached.items(), 4)]
             more = len(self.unreached) - len(some)
-            clauses.append(
-                f"it does not reach {', '.join(some)}" + (f" and {more} more" if more else "")
-            )
+            clauses.append(f"it does not reach {', '.join(some)}" + (f" and {more} more" if more else ""))
         clauses += [self._alone(name) for name in self.lonely]
         if self.completions:
             ways = " or ".join(", ".join(names) for names in self.completions)
@@ -156,9 +154,7 @@ def lonely(matrix: DimensionMatrix) -> tuple[str, ...]:
     return tuple(matrix.names[place] for place, was in zip(places, used, strict=True) if not was)
 
 
-def independent_sets(
-    matrix: DimensionMatrix, names: Sequence[str], span: Span
-) -> Iterator[tuple[str, ...]]:
+def independent_sets(matrix: DimensionMatrix, names: Sequence[str], span: Span) -> Iterator[tuple[str, ...]]:
     """Sets of variables that widen a span until it holds everything, one after the other.
 
     Parameters

@@ -99,12 +99,14 @@ def check_system(system: System | Model, *, base: Sequence[str] | None = None) -
         parts.append(part)
     else:
         parts.append(Part("groups", None, "there is no valid base"))
+    missing = (
+        "a bare Model has no values: give check_system a System" if whole is None
+        else "there are no groups" if groups is None else ""
+    )  # fmt: skip
     for name, part in (("values", _values), ("round trip", _round_trip), ("two forms", _two_forms)):
-        missing = (
-            "a bare Model has no values: give check_system a System" if whole is None
-            else "there are no groups" if groups is None else ""
-        )  # fmt: skip
         parts.append(Part(name, None, missing) if missing else Part(name, *part(whole, groups)))
+        if name == "values" and parts[-1].passed is False:
+            missing = "the values are wrong"
     return SystemCheck(model.name, tuple(chosen or ()), tuple(parts))
 
 
@@ -128,9 +130,10 @@ def _base(model: Model, base: Sequence[str] | None) -> tuple[Sequence[str] | Non
         check = advice.check(base)
     except SimilitudeError as error:
         return base, Part("base", False, error.what)
-    others = [name for name in base if name not in {q.name for q in model.parameters}]
+    others = [name for name in base if name not in advice.candidates]
     if others:
-        return base, Part("base", False, f"{', '.join(others)} is no parameter")
+        why = "given by a constraint" if others[0] in model.constraints else "no parameter"
+        return base, Part("base", False, f"{others[0]} is {why}")
     return base, Part("base", check.valid, check.reason)
 
 

@@ -63,7 +63,7 @@ class System:
             strange = [name for name in names if name not in known]
             if strange:
                 raise self._error(
-                    f"{what} names {shown(strange[0])}, which is none of {', '.join(sorted(known)) or 'none'}",
+                    f"{what} names {shown(strange[0])}; there are {', '.join(sorted(known)) or 'none'}",
                     "a name was misspelt, or put into the wrong part.",
                     f"{what}={{{min(known, default='...')!r}: ...}}",
                 )
@@ -81,9 +81,7 @@ class System:
         parse_quantity(self.duration, expect=TIME)
 
     def _error(self, what: str, usually: str, paste: str) -> ModelError:
-        return ModelError(
-            f"system {self.model.name!r}: {what}", usually=usually, paste=paste, read=READ
-        )
+        return ModelError(f"system {self.model.name!r}: {what}", usually=usually, paste=paste, read=READ)
 
     def _number(self, quantity: Quantity, text: str) -> float:
         try:

@@ -8,6 +8,7 @@ that has a unit.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -99,10 +100,11 @@ def _run(rates, output_map, model, known, x0, t, size) -> NDArray[np.float64]:
     x = [q.symbol for q in model.states]
     f = _function(x, [rates[q.name] for q in model.states], known)
     g = _function(x, [output_map[q.name] for q in model.outputs], known)
-    done = solve_ivp(
-        lambda _, now: f(*now), (t[0], t[-1]), x0, "LSODA", t_eval=t, rtol=RTOL, atol=1e-12 * np.abs(size)
-    )
-    if not done.success or len(done.t) != len(t):
+    ends, tight = (t[0], t[-1]), {"rtol": RTOL, "atol": 1e-12 * np.abs(size)}
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # a run that fails is told by its result
+        done = solve_ivp(lambda _, now: f(*now), ends, x0, "LSODA", t_eval=t, **tight)
+    if not done.success or len(done.t) != len(t) or not np.isfinite(done.y).all():
         raise ArithmeticError(f"the integration stopped at {done.t[-1] if len(done.t) else 0:.4g}")
     return np.array([[*now, *g(*now)] for now in done.y.T])
 
