@@ -87,3 +87,14 @@ def test_residues_that_are_drawn_are_never_zero():
     drawn = Modular().draw(np.random.default_rng(1), 1000)
 
     assert drawn.min() >= 1 and drawn.max() < PRIME
+
+
+def test_residues_follow_the_branches_of_a_point_of_real_numbers():
+    tape, choices = record([sp.Max(x, y) * sp.Abs(x - y)]), {}
+    run_at = {"x": [np.array([1.0])], "y": [np.array([3.0])]}
+    Series(tape, Floats(), run_at, choices).advance()
+
+    residues = {"x": [np.array([5])], "y": [np.array([4])]}  # in whose order there is no meaning
+    got = Series(tape, Modular(), residues, choices).advance()[0]
+
+    assert int(got[0]) == 4 * -(5 - 4) % PRIME  # y is the larger, and x - y is negative

@@ -46,9 +46,17 @@ def test_nothing_is_written_twice():
 
 def test_what_is_not_rational_says_so():
     assert not record([sp.sqrt(x)]).rational
+    assert not record([sp.exp(x)]).rational
     assert not record([sp.pi * x]).rational
 
 
 def test_an_undefined_function_is_named():
     with pytest.raises(ModelError, match="is not known"):
         record([sp.Function("f")(x)])
+
+
+def test_branches_are_rational_once_they_are_chosen():
+    tape = record([Saturation(x) + sp.Max(x, y)])
+
+    assert tape.rational
+    assert tape.branches

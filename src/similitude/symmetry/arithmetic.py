@@ -126,10 +126,19 @@ class Series:
     tape : Tape
     field : Modular, Floats or Digits
     symbols : name -> list of coefficients, each (..., 1 + q); the caller may append to them between orders.
+    choices : branch step -> place of the largest or smallest argument, or whether the argument is
+        positive; those of a point of real numbers, where residues have none. Filled in where it is empty.
     """
 
-    def __init__(self, tape: Tape, field, symbols: Mapping[str, list[np.ndarray]]) -> None:
+    def __init__(
+        self,
+        tape: Tape,
+        field,
+        symbols: Mapping[str, list[np.ndarray]],
+        choices: dict[int, np.ndarray] | None = None,
+    ) -> None:
         self.tape, self.field, self.symbols = tape, field, symbols
+        self.choices = {} if choices is None else choices
         self.values: list[list[np.ndarray]] = [[] for _ in tape.steps]
         self.order = 0
         self.zero = np.zeros_like(next(iter(symbols.values()))[0])
@@ -159,7 +168,7 @@ class Series:
             return self._inverse(place, a[0], k)
         if kind == "call":
             return self._called(place, what, a[0], k)
-        return self._branch(kind, a, k)
+        return self._branch(place, kind, a, k)
 
     def _product(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         wrap = self.field.wrap
@@ -196,19 +205,22 @@ class Series:
             total = total + i * self._product(a[i], slope[k - i])
         return total / k
 
-    def _branch(self, kind: str, a, k: int) -> np.ndarray:
+    def _branch(self, place: int, kind: str, a, k: int) -> np.ndarray:
         """abs, sign, max and min follow the branch that holds at order zero."""
-        heads = [x[0][..., 0] for x in a]
+        if place not in self.choices:
+            heads = [x[0][..., 0] for x in a]
+            decide = {"max": np.argmax, "min": np.argmin}.get(kind)
+            self.choices[place] = decide(heads, axis=0) if decide else np.greater(heads[0], 0)
+        chosen = self.choices[place]
         if kind in ("max", "min"):
-            chosen = np.argmax(heads, axis=0) if kind == "max" else np.argmin(heads, axis=0)
             parts = [np.where(np.equal(chosen, i)[..., None], x[k], self.zero) for i, x in enumerate(a)]
             return sum(parts[1:], parts[0])
-        signs = np.where(np.greater(heads[0], 0), 1, -1)[..., None]
+        signs = np.where(chosen, 1, -1)[..., None]
         if kind == "abs":
-            return signs * a[0][k]
+            return self.field.wrap(signs * a[0][k])
         value = self.zero.copy()
         if k == 0:
-            value[..., 0] = signs[..., 0]
+            value[..., 0] = self.field.wrap(signs[..., 0])
         return value
 
 

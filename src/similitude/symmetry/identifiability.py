@@ -30,7 +30,7 @@ import numpy as np
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Modular, Series
+from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Floats, Modular, Series
 from similitude.symmetry.equations import Equations
 from similitude.symmetry.lattice import kernel
 from similitude.symmetry.row_space import null_vectors, reduced, whole_rows
@@ -153,8 +153,11 @@ class _Plan:
 
     def _at(self, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         field = Modular() if self.tape.rational else Digits()
+        choices = {}
+        if self.tape.rational and self.tape.branches:  # decided among real numbers, kept among residues
+            Series(self.tape, Floats(), self._start(rng, Floats())[0], choices).advance()
         symbols, values = self._start(rng, field)
-        series = Series(self.tape, field, symbols)
+        series = Series(self.tape, field, symbols, choices)
         states, rows, rank, idle = self.equations.states, [], 0, 0
         basis = np.zeros((0, len(values)), dtype=field.dtype)
         for order in range(len(values) + PATIENCE):
@@ -200,8 +203,10 @@ class _Rows:
 
     @property
     def ranks(self) -> tuple[int, int, int]:
-        """What no further point may change."""
-        return len(self.logarithmic), len(self.plain), len(self.turning)
+        """What no further point may change; sums matter only where powers do not explain everything."""
+        unseen = self.logarithmic.shape[1] - len(self.logarithmic)
+        is_curved = len(self.turning) > unseen
+        return len(self.logarithmic), len(self.turning), len(self.plain) if is_curved else 0
 
 
 def _gather(plan: _Plan) -> _Rows:

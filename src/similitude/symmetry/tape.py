@@ -29,12 +29,17 @@ BRANCHES = {sp.Abs: "abs", sp.sign: "sign", sp.Max: "max", sp.Min: "min"}
 
 @dataclass
 class Tape:
-    """Steps in order; ``rational`` says whether integers modulo a prime can run them."""
+    """Steps in order.
+
+    ``rational``: integers modulo a prime can run them, once the branches of abs, sign, max and min
+    (``branches``) are chosen at a point of real numbers.
+    """
 
     steps: list[Step] = field(default_factory=list)
     results: list[int] = field(default_factory=list)
     slopes: dict[int, int] = field(default_factory=dict)  # a call's step -> the step of its slope
     rational: bool = True
+    branches: bool = False
 
 
 def record(expressions: Iterable[sp.Expr]) -> Tape:
@@ -83,7 +88,6 @@ class _Writer:
             return total
         if e.is_Pow and e.exp.is_Integer:
             return self._integer_power(e.base, int(e.exp))
-        self.tape.rational = False
         return self._function(e)
 
     def _integer_power(self, base: sp.Expr, power: int) -> int:
@@ -96,6 +100,7 @@ class _Writer:
 
     def _function(self, e: sp.Expr) -> int:
         if e.func in BRANCHES:
+            self.tape.branches = True
             return self._step(BRANCHES[e.func], None, *(self.write(a) for a in e.args))
         if e.is_Pow and e.exp.is_Rational:
             return self._power(e)
@@ -105,7 +110,7 @@ class _Writer:
             return self.write(sp.atan(e.args[0] / e.args[1]))
         if e.func in CALLS:
             return self._call(e, *CALLS[e.func])
-        spelt = e.doit()
+        spelt = e.doit() if isinstance(e, sp.Function) else e
         if spelt != e and not isinstance(e, sp.core.function.AppliedUndef):
             return self.write(spelt)
         raise ModelError(
@@ -116,6 +121,7 @@ class _Writer:
         )
 
     def _power(self, e: sp.Expr) -> int:
+        self.tape.rational = False
         base = self.write(e.base)
         place = self._step("call", ("power", e.exp), base)
         inverse = self._step("inv", None, base)
@@ -124,6 +130,7 @@ class _Writer:
         return place
 
     def _call(self, e: sp.Expr, name: str, slope) -> int:
+        self.tape.rational = False
         place = self.places[e] = self._step("call", (name, None), self.write(e.args[0]))
         self.tape.slopes[place] = -1  # a partner's slope may be this very step
         self.tape.slopes[place] = self.write(slope(e, e.args[0]))

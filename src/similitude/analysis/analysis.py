@@ -1,0 +1,167 @@
+"""Analysis: everything the general method says of one model, computed once and shown in several ways.
+
+    units       remove one scale for each independent dimension           `dimensional`, `groups`
+    structure   removes scalings that are no units                        `symmetry.scalings`
+    outputs     cannot see some of what is left                           `symmetry.identifiability`
+
+Invariant: nothing here is rounded; what a page shows is text made from these exact values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from similitude.dimensional.base_advice import BaseAdvice, advise_base
+from similitude.dimensional.matrix import DimensionMatrix, dimension_matrix
+from similitude.dimensional.pi_groups import pi_groups
+from similitude.groups import Groups, reparameterize
+from similitude.model import Model
+from similitude.symmetry.check import ScalingCheck
+from similitude.symmetry.equations import Equations, equations_of
+from similitude.symmetry.identifiability import Identifiability, identifiability
+from similitude.symmetry.lattice import canonical, kernel
+from similitude.symmetry.scalings import Scalings, scalings_of
+
+
+@dataclass(frozen=True)
+class NamedGroup:
+    """A Pi group with the name it has on every page, the parameter it measures, and words for it."""
+
+    name: str
+    exponents: Mapping[str, Fraction]
+    parameter: str = ""
+    meaning: str = ""
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """A model and what was found about it.
+
+    ``base`` is empty and ``rewritten`` None where no parameters can measure everything; ``why`` then says so,
+    and ``groups`` are those of all variables. ``beyond``: scalings that are no units, with the base held.
+    ``steady``: what the outputs tell while signals among the parameters are held, None where there are none.
+    """
+
+    model: Model
+    equations: Equations
+    base: tuple[str, ...]
+    base_origin: str
+    why: str
+    matrix: DimensionMatrix
+    groups: tuple[NamedGroup, ...]
+    rewritten: Groups | None
+    scalings: Scalings
+    check: ScalingCheck
+    beyond: tuple[Mapping[str, int], ...]
+    seen: Identifiability
+    steady: Identifiability | None
+    meanings: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def units(self) -> int:
+        """How many of the scalings are units."""
+        return self.matrix.rank
+
+
+def analyze_model(
+    model: Model,
+    *,
+    base: Sequence[str] | None = None,
+    base_origin: str = "",
+    meanings: Mapping[str, str] = {},
+) -> Analysis:
+    """Look a model over.
+
+    Parameters
+    ----------
+    model : Model
+    base : repeating variables; advised where left out.
+    base_origin : who chose the base, for the page.
+    meanings : parameter -> what its group tells, in words.
+
+    Returns
+    -------
+    Analysis
+
+    Raises
+    ------
+    ModelError    the base cannot measure the model, or a rate is no formula.
+    """
+    equations = equations_of(model)
+    matrix = _matrix(model, equations)
+    why = ""
+    if base is None:
+        advice = advise_base(model)
+        base, base_origin = advice.best, "advised"
+        why = "" if base is not None else _no_base(advice)
+    rewritten = None if base is None else reparameterize(model, base=base)
+    scalings = scalings_of(equations)
+    known = [q.name for q in model.parameters if q.known and q.name not in model.signals]
+    outputs = dict(model.output_map)
+    return Analysis(
+        model=model,
+        equations=equations,
+        base=tuple(base or ()),
+        base_origin=base_origin,
+        why=why,
+        matrix=matrix,
+        groups=_groups(model, matrix, rewritten, meanings),
+        rewritten=rewritten,
+        scalings=scalings,
+        check=scalings.verify(),
+        beyond=_beyond(scalings, matrix, base),
+        seen=identifiability(equations, outputs, known=known, varying=model.signals),
+        steady=identifiability(equations, outputs, known=[*known, *model.signals]) if model.signals else None,
+        meanings=dict(meanings),
+    )
+
+
+def _matrix(model: Model, equations: Equations) -> DimensionMatrix:
+    """Dimensions of time and of every quantity, as one table."""
+    units = {equations.time: model.time_unit} | {q.name: q.unit for q in model.quantities}
+    return dimension_matrix(units, angle=False)
+
+
+def _no_base(advice: BaseAdvice) -> str:
+    first = str(advice).splitlines()[0]
+    return first.removeprefix("No base: ") if first.startswith("No base") else first
+
+
+def _groups(
+    model: Model, matrix: DimensionMatrix, rewritten: Groups | None, meanings: Mapping[str, str]
+) -> tuple[NamedGroup, ...]:
+    if rewritten is not None:
+        return tuple(
+            NamedGroup(
+                g.name,
+                dict(g.exponents),
+                g.parameter,
+                meanings.get(g.parameter) or _words(model, g.parameter),
+            )
+            for g in rewritten.groups
+        )
+    units = {q.name: q.unit for q in model.quantities}
+    everything = {name: units.get(name, model.time_unit) for name in matrix.names}
+    return tuple(NamedGroup(f"pi{i + 1}", exponents) for i, exponents in enumerate(pi_groups(everything)))
+
+
+def _words(model: Model, parameter: str) -> str:
+    return model.quantity(parameter).meaning
+
+
+def _beyond(
+    scalings: Scalings, matrix: DimensionMatrix, base: Sequence[str] | None
+) -> tuple[Mapping[str, int], ...]:
+    """Scalings that hold the units' scales, so that units have no part in them."""
+    names = scalings.equations.names
+    rows = [[row.get(name, 0) for name in names] for row in scalings.weights]
+    held = list(base) if base is not None else [matrix.names[place] for place in matrix.leading[0]]
+    at_base = [[row[names.index(name)] for row in rows] for name in held]
+    mixes = kernel(at_base, len(rows))
+    free = [
+        [sum(c * row[j] for c, row in zip(mix, rows, strict=True)) for j in range(len(names))]
+        for mix in mixes
+    ]
+    return tuple({n: w for n, w in zip(names, row, strict=True) if w} for row in canonical(free, len(names)))
