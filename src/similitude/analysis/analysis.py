@@ -36,6 +36,20 @@ class NamedGroup:
 
 
 @dataclass(frozen=True)
+class CheckedRow:
+    """One invariance of one output: sum of coefficient times sensitivity equals ``rhs`` [-].
+
+    ``residual`` [-] is what is left of it, zero where it is proven.
+    """
+
+    output: str
+    dimension: str
+    coefficients: Mapping[str, Fraction]
+    rhs: Fraction
+    residual: float
+
+
+@dataclass(frozen=True)
 class Analysis:
     """A model and what was found about it.
 
@@ -50,6 +64,7 @@ class Analysis:
     base_origin: str
     why: str
     matrix: DimensionMatrix
+    invariances: tuple[CheckedRow, ...]
     groups: tuple[NamedGroup, ...]
     rewritten: Groups | None
     scalings: Scalings
@@ -107,6 +122,7 @@ def analyze_model(
         base_origin=base_origin,
         why=why,
         matrix=matrix,
+        invariances=(),
         groups=_groups(model, matrix, rewritten, meanings),
         rewritten=rewritten,
         scalings=scalings,

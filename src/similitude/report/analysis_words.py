@@ -1,0 +1,80 @@
+"""What an Analysis comes to, in sentences and rows that the terminal and the page share.
+
+Invariant: every number in a sentence is counted from the Analysis; nothing is rounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from similitude.analysis.analysis import Analysis
+    from similitude.symmetry.identifiability import Identifiability
+
+WORDS = "no one two three four five six seven eight nine ten eleven twelve".split()
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """A number with its noun: ``three states``."""
+    word = WORDS[number] if number < len(WORDS) else str(number)
+    return f"{word} {noun if number == 1 else plural or noun + 's'}"
+
+
+def headline(found: Analysis) -> str:
+    """The model in one line."""
+    model = found.model
+    kinds = (("state", model.states), ("input", model.inputs), ("output", model.outputs), ("parameter", model.parameters))
+    return ", ".join(counted(len(quantities), kind) for kind, quantities in kinds if quantities)
+
+
+def account(found: Analysis) -> tuple[tuple[str, str, str], ...]:
+    """What removes what: who, how much, and in words; one row each."""
+    model, constrained = found.model, len(found.model.constraints)
+    free = len(model.parameters) - constrained
+    rows = [("parameters", str(len(model.parameters)), f"{counted(constrained, 'of them', 'of them')} given by others")
+            if constrained else ("parameters", str(free), "")]  # fmt: skip
+    base = f", measured in {', '.join(found.base)}" if found.base else ""
+    rows.append(("units remove", str(found.units), f"{counted(found.units, 'independent dimension')}{base}"))
+    rows.append(("structure removes", str(len(found.beyond)), _beyond_words(found)))
+    blind = len(found.seen.parameters) - found.seen.determined
+    told = f"of {counted(len(found.seen.parameters), 'unknown parameter')}"
+    rows.append((f"{_outputs(found.seen)} cannot see", str(blind), told))
+    return tuple(rows)
+
+
+def _beyond_words(found: Analysis) -> str:
+    if not found.beyond:
+        return "no scaling but the units leaves the equations true"
+    signals = {q.name for kind in (found.model.states, found.model.inputs, found.model.outputs) for q in kind}
+    linear = [row for row in found.beyond if set(row) <= signals and set(row.values()) == {1}]
+    if linear and len(found.beyond) == 1:
+        return "states and inputs scale together: the model is linear"
+    return f"{counted(len(found.beyond), 'scaling')} beyond the units"
+
+
+def _outputs(seen: Identifiability) -> str:
+    if not seen.outputs:
+        return "no output"
+    return ("outputs " if len(seen.outputs) > 1 else "output ") + ", ".join(seen.outputs)
+
+
+def seen_words(seen: Identifiability, held: tuple[str, ...] = ()) -> str:
+    """What outputs tell, in one sentence."""
+    given = [name for name in seen.known if name not in held]
+    known = f" with {', '.join(given)} known" if given else ""
+    still = f" while {', '.join(held)} {'is' if len(held) == 1 else 'are'} held" if held else ""
+    told = f"{_outputs(seen)[0].upper()}{_outputs(seen)[1:]}{known}{still}"
+    numbers = f"{seen.determined} of {len(seen.parameters)} numbers"
+    if seen.is_complete:
+        return f"{told} tells all {counted(len(seen.parameters), 'parameter')}." if seen.parameters else (
+            f"{told}: there is no parameter to tell."
+        )  # fmt: skip
+    others = seen.determined - len(seen.seen)
+    more = f", {counted(others, 'of them', 'of them')} not a product of powers" if others else ""
+    return f"{told} tells {numbers}{more}."
+
+
+def moved(direction: Mapping[str, int]) -> str:
+    """A scaling in words: ``v, r, delta``, with powers where they are not one."""
+    return ", ".join(name if power == 1 else f"{name}^{power}" for name, power in direction.items())
