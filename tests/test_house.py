@@ -39,7 +39,8 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
+    "analysis",
+    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

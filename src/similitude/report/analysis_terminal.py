@@ -180,11 +180,13 @@ def _seen(seen: Identifiability, held: tuple[str, ...]) -> Group:
     if seen.seen and not seen.is_complete:
         table.add_row(Text("tells", style=QUIET), Text(",  ".join(plain_product(one) for one in seen.seen)))
     for direction in seen.unseen:
-        together = moved({plain_name(n): p for n, p in direction.items()})
-        table.add_row(Text("cannot see", style=QUIET), Text(f"{together} scaled together"))
+        own = {plain_name(n): p for n, p in direction.items() if n in seen.parameters}
+        together = " scaled together" if len(own) > 1 else ""
+        table.add_row(Text("cannot see", style=QUIET), Text(moved(own) + together))
     for direction in seen.shifts:
-        added = " ".join(f"{'+' if w > 0 else '-'}{_size(Fraction(w))}{plain_name(n)}" for n, w in direction.items())
-        table.add_row(Text("cannot see", style=QUIET), Text(f"{added} added together"))
+        own = {n: Fraction(w) for n, w in direction.items() if n in seen.parameters}
+        added = "".join(f"{_sign(w, i)}{_size(w)}{plain_name(n)}" for i, (n, w) in enumerate(own.items()))
+        table.add_row(Text("cannot see", style=QUIET), Text(f"what is added along {added}"))
     if seen.curved > len(seen.shifts):
         of = ", ".join(plain_name(n) for n in seen.involved)
         more = seen.curved - len(seen.shifts)
