@@ -20,6 +20,7 @@ FLOW = (
     "saturation model_text_faults model_text",
     "homogeneity model_formulas",
     "model groups population reduction",
+    "linear invariance",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",

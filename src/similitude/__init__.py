@@ -8,11 +8,15 @@ import importlib
 # public name -> file that holds it
 _ROOMS = {
     "Log": "log",
+    "Model": "model",
+    "Quantity": "model",
     "Run": "run",
     "SimilitudeError": "errors",
     "Vehicle": "vehicle_file",
     "bicycle_response": "simulate",
+    "euler_rows": "invariance.invariances",
     "identify": "identification",
+    "invariances": "invariance.invariances",
     "read_log": "log",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
