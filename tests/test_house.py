@@ -21,6 +21,7 @@ FLOW = (
     "homogeneity model_formulas",
     "model dimensional groups population reduction",
     "symmetry",
+    "linear invariance",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
