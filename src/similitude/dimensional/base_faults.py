@@ -1,6 +1,6 @@
 """A base that cannot be one, refused with the reason and a base to paste in its place.
 
-Invariant: `base_span` returns a span only for a base whose dimensions are independent and reach every
+Invariant: `base_solutions` returns only for a base whose dimensions are independent and reach every
 variable; anything else is a ModelError with four parts.
 """
 
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import NoReturn
 
 from similitude.dimensional.base_check import BaseCheck, check_base
-from similitude.dimensional.exact_span import Span, span_of
+from similitude.dimensional.exact_span import Column, span_of
 from similitude.dimensional.matrix import DimensionMatrix
 from similitude.errors import ModelError, shown
 
@@ -59,22 +59,27 @@ def base_names(matrix: DimensionMatrix, base: Sequence[str]) -> tuple[str, ...]:
     return base
 
 
-def base_span(matrix: DimensionMatrix, base: tuple[str, ...]) -> Span:
-    """What a base spans, once it is known to be a valid one.
+def base_solutions(matrix: DimensionMatrix, base: tuple[str, ...]) -> dict[Column, tuple[list[int], int]]:
+    """Every dimension of the variables in those of a base, once it is known to be a valid one.
 
     Parameters
     ----------
     matrix : DimensionMatrix   of the variables.
-    base : different names of variables.
+    base : r different names of variables.
+
+    Returns
+    -------
+    column -> n (r,), N integers with  base n = N column.
 
     Raises
     ------
     ModelError    the base is dependent, or does not reach every variable.
     """
     span = span_of([matrix.column(name) for name in base], len(matrix.rows))
-    if span is None or not all(span.holds(column) for column in set(matrix.columns)):
+    solved = {} if span is None else {column: span.solve(column) for column in set(matrix.columns)}
+    if span is None or None in solved.values():
         _refuse(check_base(matrix, base))
-    return span
+    return solved
 
 
 def _refuse(check: BaseCheck) -> NoReturn:

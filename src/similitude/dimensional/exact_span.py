@@ -15,6 +15,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from operator import mul
 
 Column = tuple[Fraction | int, ...]
 
@@ -41,12 +42,12 @@ class Span:
 
     def _seen(self, column: Column) -> tuple[int, list[int]]:
         """The column's integer scale, and T times the scaled column."""
-        scale = math.lcm(*(x.denominator for x in column))
-        whole = [(k, int(x * scale)) for k, x in enumerate(column) if x]
-        return scale, [sum(row[k] * x for k, x in whole) for row in self.operations]
+        scale = math.lcm(*[x.denominator for x in column])
+        whole = [x.numerator * (scale // x.denominator) for x in column]
+        return scale, [sum(map(mul, row, whole)) for row in self.operations]
 
-    def exponents(self, column: Column) -> tuple[Fraction, ...] | None:
-        """Exponents x (r,) with  base x = column, or None where the column lies outside.
+    def solve(self, column: Column) -> tuple[list[int], int] | None:
+        """Integers n (r,) and N with  base n = N column, or None where the column lies outside.
 
         Parameters
         ----------
@@ -55,8 +56,20 @@ class Span:
         scale, seen = self._seen(column)
         if any(seen[self.rank :]):
             return None
-        over = self.pivot * scale
-        return tuple(Fraction(x * own, over) for x, own in zip(seen, self.scales, strict=False))
+        return [x * own for x, own in zip(seen, self.scales, strict=False)], self.pivot * scale
+
+    def exponents(self, column: Column) -> tuple[Fraction, ...] | None:
+        """Exponents x (r,) with  base x = column, or None where the column lies outside.
+
+        Parameters
+        ----------
+        column : (d,) exact numbers.
+        """
+        solved = self.solve(column)
+        if solved is None:
+            return None
+        numerators, over = solved
+        return tuple(Fraction(x, over) for x in numerators)
 
     def holds(self, column: Column) -> bool:
         """Whether the column is a combination of those held."""
@@ -114,16 +127,22 @@ def leading(columns: Sequence[Column], size: int) -> tuple[tuple[int, ...], Span
     -------
     places, span : indices of the r columns taken, increasing, and what they span.
     """
-    span, taken = empty_span(size), []
+    span, taken, seen = empty_span(size), [], set()
+    most = sum(map(any, zip(*columns, strict=True)))  # rows that are used at all
     for place, column in enumerate(columns):
-        wider = span.extended(column) if span.rank < size else None
+        if span.rank == most:
+            break
+        if column in seen:
+            continue
+        seen.add(column)
+        wider = span.extended(column)
         if wider is not None:
             span = wider
             taken.append(place)
     return tuple(taken), span
 
 
-def smallest_integers(numbers: Iterable[Fraction]) -> tuple[int, ...]:
+def smallest_integers(numbers: Iterable[Fraction | int]) -> tuple[int, ...]:
     """The numbers times one factor: integers without common divisor, the first non-zero positive.
 
     Parameters
@@ -136,7 +155,7 @@ def smallest_integers(numbers: Iterable[Fraction]) -> tuple[int, ...]:
     (3, 0, -2)
     """
     numbers = tuple(numbers)
-    scale = math.lcm(*(x.denominator for x in numbers))
+    scale = math.lcm(*[x.denominator for x in numbers])
     whole = [x.numerator * (scale // x.denominator) for x in numbers]
     divisor = math.gcd(*whole) or 1
     if next((x for x in whole if x), 1) < 0:

@@ -103,9 +103,14 @@ def _column(name: object, unit: object, angle: bool) -> Column:
             read=READ,
         )
     if isinstance(unit, Dimension):
-        return (*unit.powers, Fraction(0)) if angle else unit.powers
+        return _plain((*unit.powers, Fraction(0)) if angle else unit.powers)
     read = unit if isinstance(unit, Unit) else _unit(name, unit)
-    return (*read.dimension.powers, read.angle) if angle else read.dimension.powers
+    return _plain((*read.dimension.powers, read.angle) if angle else read.dimension.powers)
+
+
+def _plain(powers: tuple[Fraction, ...]) -> Column:
+    """Whole numbers as int: columns are compared and hashed, which fractions are slow at."""
+    return tuple(x.numerator if x.denominator == 1 else x for x in powers)
 
 
 def _unit(name: str, unit: object) -> Unit:

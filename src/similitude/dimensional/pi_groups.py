@@ -10,11 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import lru_cache
 
-from similitude.dimensional.base_faults import base_names, base_span
-from similitude.dimensional.exact_span import Column, Span, smallest_integers
+from similitude.dimensional.base_faults import base_names, base_solutions
+from similitude.dimensional.exact_span import Column, smallest_integers
 from similitude.dimensional.matrix import DimensionMatrix, dimension_matrix
 from similitude.units import Dimension, Unit
+
+_ONE = Fraction(1)
+_fraction = lru_cache(maxsize=4096)(Fraction)  # the same few exponents come again and again
 
 
 def pi_groups(
@@ -61,34 +65,30 @@ def pi_groups(
     if base is None:
         return _without_base(matrix)
     named = base_names(matrix, base)
-    solve = _solver(base_span(matrix, named))
-    return [
-        {name: Fraction(1)} | {b: -x for b, x in zip(named, solve(column), strict=True) if x}
-        for name, column in zip(matrix.names, matrix.columns, strict=True)
-        if name not in named
-    ]
+    solved = base_solutions(matrix, named)
+    groups = []
+    for name, column in zip(matrix.names, matrix.columns, strict=True):
+        if name not in named:
+            numerators, over = solved[column]
+            group = {name: _ONE}
+            for own, x in zip(named, numerators, strict=True):
+                if x:
+                    group[own] = _fraction(-x, over)
+            groups.append(group)
+    return groups
 
 
 def _without_base(matrix: DimensionMatrix) -> list[dict[str, Fraction]]:
     places, span = matrix.leading
-    solve = _solver(span)
     pivots = [matrix.names[place] for place in places]
+    known: dict[Column, tuple[int, ...]] = {}
     groups = []
     for place, (name, column) in enumerate(zip(matrix.names, matrix.columns, strict=True)):
         if place in places:
             continue
-        made_of = zip((*pivots, name), smallest_integers((*solve(column), Fraction(-1))), strict=True)
-        groups.append({own: Fraction(x) for own, x in made_of if x})
-    return groups
-
-
-def _solver(span: Span):
-    """`span.exponents`, computed once for each of the few dimensions that many variables share."""
-    known: dict[Column, tuple[Fraction, ...]] = {}
-
-    def solve(column: Column) -> tuple[Fraction, ...]:
         if column not in known:
-            known[column] = span.exponents(column)
-        return known[column]
-
-    return solve
+            numerators, over = span.solve(column)
+            known[column] = smallest_integers((*numerators, -over))
+        made_of = zip((*pivots, name), known[column], strict=True)
+        groups.append({own: _fraction(x, 1) for own, x in made_of if x})
+    return groups
