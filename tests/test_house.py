@@ -22,6 +22,7 @@ FLOW = (
     "model dimensional groups population reduction",
     "symmetry",
     "linear invariance",
+    "analysis",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
@@ -40,7 +41,6 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "analysis",
     "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

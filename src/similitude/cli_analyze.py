@@ -21,9 +21,12 @@ def analyze(
         str, typer.Argument(metavar="SYSTEM|FILE.py", help="A shipped system, or a file that makes a Model.")
     ],
     base: Annotated[
-        str | None, typer.Option(metavar="m,L,U", help="Repeating variables; else the system's own, or advised.")
+        str | None,
+        typer.Option(metavar="m,L,U", help="Repeating variables; else the system's own, or advised."),
     ] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print one line of JSON instead of the page.")] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print one line of JSON instead of the page.")
+    ] = False,
     out: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Write the page as HTML, and the JSON, into a folder.")
     ] = None,
@@ -31,7 +34,7 @@ def analyze(
     """Look a model over: units, invariances, Pi groups, rewritten equations, scalings, what outputs tell."""
     names = None if base is None else _names(base)
     from similitude.analysis.analysis import analyze_model
-    from similitude.analysis.system_file import find_model
+    from similitude.systems.system_file import find_model
 
     found = find_model(system)
     chosen, origin = (names, "as asked") if names is not None else (found.base, "the system's own")

@@ -9,14 +9,18 @@ Invariant: nothing here is rounded; what a page shows is text made from these ex
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+
+import sympy as sp
 
 from similitude.dimensional.base_advice import BaseAdvice, advise_base
 from similitude.dimensional.matrix import DimensionMatrix, dimension_matrix
 from similitude.dimensional.pi_groups import pi_groups
 from similitude.groups import Groups, reparameterize
+from similitude.invariance.invariances import invariances
 from similitude.model import Model
 from similitude.symmetry.check import ScalingCheck
 from similitude.symmetry.equations import Equations, equations_of
@@ -75,6 +79,16 @@ class Analysis:
     meanings: Mapping[str, str] = field(default_factory=dict)
 
     @property
+    def is_dimensionless(self) -> bool:
+        """Whether no group has a dimension, so that every row of the rewritten model is empty."""
+        rows = range(len(self.matrix.rows))
+        return not any(
+            sum(power * self.matrix.column(name)[i] for name, power in group.exponents.items())
+            for group in self.groups
+            for i in rows
+        )
+
+    @property
     def units(self) -> int:
         """How many of the scalings are units."""
         return self.matrix.rank
@@ -122,7 +136,7 @@ def analyze_model(
         base_origin=base_origin,
         why=why,
         matrix=matrix,
-        invariances=(),
+        invariances=_invariances(model),
         groups=_groups(model, matrix, rewritten, meanings),
         rewritten=rewritten,
         scalings=scalings,
@@ -132,6 +146,24 @@ def analyze_model(
         steady=identifiability(equations, outputs, known=[*known, *model.signals]) if model.signals else None,
         meanings=dict(meanings),
     )
+
+
+def _invariances(model: Model) -> tuple[CheckedRow, ...]:
+    """The rows of every output's time response, proven in symbols."""
+    checked = []
+    for output in model.output_map:
+        found = invariances(model, output)
+        left = found.verify()
+        checked += [
+            CheckedRow(output, row.dimension, row.coefficients, row.rhs, _residual(left[row.dimension]))
+            for row in found.rows
+        ]
+    return tuple(checked)
+
+
+def _residual(left: sp.Expr) -> float:
+    """Zero where a row is proven, the largest value found where it is only found to hold."""
+    return float(left) if left.is_number else math.inf
 
 
 def _matrix(model: Model, equations: Equations) -> DimensionMatrix:

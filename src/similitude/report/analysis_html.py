@@ -1,4 +1,4 @@
-"""An Analysis as one HTML page with typeset mathematics: the sections of the terminal, nothing from the network.
+"""An Analysis as one HTML page: the sections of the terminal with typeset mathematics, no network.
 
 Invariant: every text of a model is escaped; equal analyses give equal bytes.
 """
@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from similitude.dimensional.matrix import SYMBOLS
-from similitude.report.analysis_words import account, headline, seen_words
+from similitude.report.analysis_words import (
+    AFTER,
+    account,
+    headline,
+    residual_words,
+    rows_are_empty,
+    seen_words,
+)
 from similitude.report.html_page import Html, bullets, joined, lead, page, paragraph, section, strong, table
 from similitude.report.numerals import pretty_unit
 from similitude.report.typeset import math, math_product, math_rate
@@ -33,8 +40,11 @@ def analysis_html(found: Analysis) -> str:
     -------
     str    an HTML document that needs no other file
     """
-    removed = table(["what", "", ""], account(found), numeric=(1,))
-    head = [paragraph(headline(found).capitalize(), "."), *([paragraph(found.model.source, quiet=True)] * bool(found.model.source))]
+    removed = table(["", "", ""], account(found), numeric=(1,))
+    head = [
+        paragraph(headline(found).capitalize(), "."),
+        *([paragraph(found.model.source, quiet=True)] * bool(found.model.source)),
+    ]
     parts = [
         lead(*head),
         section("The equations", _equations(found)),
@@ -86,8 +96,9 @@ def _invariances(found: Analysis) -> Html:
     note = paragraph(
         math(sp.Symbol("S_x")), Html(" <math><mo>=</mo></math> "), "d ln y/d ln x, y the output.", quiet=True
     )
-    rows = [[_name(row.output), row.dimension, _row(row), _residual(row)] for row in found.invariances]
-    return joined([note, table(["output", "dimension", "", "residual"], rows)])
+    rows = [[_name(row.output), row.dimension, _row(row), residual_words(row)] for row in found.invariances]
+    after = [paragraph(AFTER, quiet=True)] if rows_are_empty(found) else []
+    return joined([note, table(["output", "dimension", "", "residual"], rows), *after])
 
 
 def _row(row: CheckedRow) -> Html:
@@ -101,11 +112,7 @@ def _row(row: CheckedRow) -> Html:
 
 
 def _inside(name: str) -> str:
-    return f"<mrow>{_name(name).removeprefix('<math>').removesuffix('</math>')}</mrow>"
-
-
-def _residual(row: CheckedRow) -> str:
-    return "0, proven" if row.residual == 0 else f"{row.residual:.1e}"
+    return f"<mrow>{_name(name).partition('>')[2].removesuffix('</math>')}</mrow>"
 
 
 def _groups(found: Analysis) -> Html:
@@ -135,7 +142,9 @@ def _rewritten(found: Analysis) -> Html:
 
 
 def _back(name: str, scale: sp.Expr, stars: Collection[str]) -> Html:
-    return joined([_name(name), Html(" <math><mo>=</mo></math> "), _name(name, stars), Html(" "), math(scale)])
+    return joined(
+        [_name(name), Html(" <math><mo>=</mo></math> "), _name(name, stars), Html(" "), math(scale)]
+    )
 
 
 def _scalings(found: Analysis) -> list[Html]:

@@ -46,7 +46,9 @@ def analysis_record(found: Analysis) -> dict[str, Any]:
         "dimension_matrix": {
             "dimensions": list(found.matrix.rows),
             "variables": list(found.matrix.names),
-            "exponents": [[_number(column[i]) for column in found.matrix.columns] for i in range(len(found.matrix.rows))],
+            "exponents": [
+                [_number(column[i]) for column in found.matrix.columns] for i in range(len(found.matrix.rows))
+            ],
         },
         "groups": [
             {
@@ -84,7 +86,12 @@ def analysis_line(found: Analysis) -> str:
 
 def _quantities(found: Analysis) -> list[dict[str, Any]]:
     model = found.model
-    roles = (("state", model.states), ("input", model.inputs), ("output", model.outputs), ("parameter", model.parameters))
+    roles = (
+        ("state", model.states),
+        ("input", model.inputs),
+        ("output", model.outputs),
+        ("parameter", model.parameters),
+    )
     return [
         {"name": q.name, "role": role, "unit": q.unit, "meaning": q.meaning}
         for role, quantities in roles

@@ -1,4 +1,4 @@
-"""An Analysis as one page on the terminal: units, invariances, groups, equations, scalings, what outputs tell.
+"""An Analysis as one page on the terminal: what removes what, then each part by itself.
 
 Invariant: fits 80 columns where names are short; long formulas break between terms.
 """
@@ -14,7 +14,15 @@ from rich.table import Table
 from rich.text import Text
 
 from similitude.dimensional.matrix import SYMBOLS
-from similitude.report.analysis_words import account, headline, moved, seen_words
+from similitude.report.analysis_words import (
+    AFTER,
+    account,
+    headline,
+    moved,
+    residual_words,
+    rows_are_empty,
+    seen_words,
+)
 from similitude.report.numerals import pretty_unit
 from similitude.report.typeset import plain_formula, plain_name, plain_product
 
@@ -79,20 +87,22 @@ def _dimensions(found: Analysis) -> Table:
         unit = known[name].unit if name in known else found.model.time_unit
         meaning = known[name].meaning if name in known else "time"
         cells = (Text(str(column[i]) if column[i] else "·", justify="right") for i in used)
-        table.add_row(Text(plain_name(name), style=VALUE), pretty_unit(unit) or "-", *cells, Text(meaning, style=QUIET))
+        table.add_row(
+            Text(plain_name(name), style=VALUE), pretty_unit(unit) or "-", *cells, Text(meaning, style=QUIET)
+        )
     return table
 
 
-def _invariances(found: Analysis) -> Table | Text:
+def _invariances(found: Analysis) -> Group | Text:
     if not found.invariances:
         return Text("There is no output, or nothing has a dimension.", style=QUIET)
     table = _grid("output", "dimension", "", "residual")
     before = None
     for row in found.invariances:
         output = "" if row.output == before else plain_name(row.output)
-        table.add_row(Text(output, style=VALUE), row.dimension, _row_text(row), Text(_residual(row)))
+        table.add_row(Text(output, style=VALUE), row.dimension, _row_text(row), Text(residual_words(row)))
         before = row.output
-    return table
+    return Group(table, Text(AFTER, style=QUIET)) if rows_are_empty(found) else Group(table)
 
 
 def _row_text(row: CheckedRow) -> str:
@@ -107,10 +117,6 @@ def _sign(c: Fraction, place: int) -> str:
 def _size(c: Fraction) -> str:
     size = abs(Fraction(c))
     return "" if size == 1 else f"{size} " if size.denominator == 1 else f"({size}) "
-
-
-def _residual(row: CheckedRow) -> str:
-    return "0, proven" if row.residual == 0 else f"{row.residual:.1e}"
 
 
 def _groups(found: Analysis) -> Group | Table:
@@ -144,10 +150,17 @@ def _rewritten(found: Analysis) -> Group | Text:
         if name not in groups.rates:
             left = Text(plain_name(name, stars), style=VALUE)
             equations.add_row(left, "=", Text(plain_formula(value, stars)))
-    back = ", ".join(
-        f"{plain_name(n)} = {plain_name(n, stars)} · {plain_product(_powers(e))}" for n, e in scaled.items()
+    back = ", ".join(f"{plain_name(n)} = {_measured(n, e, stars)}" for n, e in scaled.items())
+    return Group(
+        equations, Text(f"back: {back}" if back else "everything is a pure number already", style=QUIET)
     )
-    return Group(equations, Text(f"back: {back}" if back else "everything is a pure number already", style=QUIET))
+
+
+def _measured(name: str, scale, stars: set[str]) -> str:
+    """A starred name times its scale: ``t* L/U``, ``t*/k``."""
+    product = plain_product(_powers(scale))
+    star = plain_name(name, stars)
+    return f"{star}{product[1:]}" if product.startswith("1/") else f"{star} · {product}"
 
 
 def _powers(monomial) -> dict[str, Fraction]:

@@ -9,10 +9,22 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from similitude.analysis.analysis import Analysis
+    from similitude.analysis.analysis import Analysis, CheckedRow
     from similitude.symmetry.identifiability import Identifiability
 
 WORDS = "no one two three four five six seven eight nine ten eleven twelve".split()
+
+AFTER = "After the rewrite every row is empty: no group has a dimension."
+
+
+def rows_are_empty(found: Analysis) -> bool:
+    """Whether the model was rewritten and nothing in it has a dimension any more."""
+    return found.rewritten is not None and found.is_dimensionless
+
+
+def residual_words(row: CheckedRow) -> str:
+    """The residual of an invariance: proven, or how large."""
+    return "0, proven" if row.residual == 0 else f"{row.residual:.1e}"
 
 
 def counted(number: int, noun: str, plural: str = "") -> str:
@@ -24,16 +36,20 @@ def counted(number: int, noun: str, plural: str = "") -> str:
 def headline(found: Analysis) -> str:
     """The model in one line."""
     model = found.model
-    kinds = (("state", model.states), ("input", model.inputs), ("output", model.outputs), ("parameter", model.parameters))
+    kinds = (
+        ("state", model.states),
+        ("input", model.inputs),
+        ("output", model.outputs),
+        ("parameter", model.parameters),
+    )
     return ", ".join(counted(len(quantities), kind) for kind, quantities in kinds if quantities)
 
 
 def account(found: Analysis) -> tuple[tuple[str, str, str], ...]:
     """What removes what: who, how much, and in words; one row each."""
     model, constrained = found.model, len(found.model.constraints)
-    free = len(model.parameters) - constrained
-    rows = [("parameters", str(len(model.parameters)), f"{counted(constrained, 'of them', 'of them')} given by others")
-            if constrained else ("parameters", str(free), "")]  # fmt: skip
+    given = f"{counted(constrained, 'of them', 'of them')} given by others" if constrained else ""
+    rows = [("parameters", str(len(model.parameters)), given)]
     base = f", measured in {', '.join(found.base)}" if found.base else ""
     rows.append(("units remove", str(found.units), f"{counted(found.units, 'independent dimension')}{base}"))
     rows.append(("structure removes", str(len(found.beyond)), _beyond_words(found)))
@@ -65,7 +81,9 @@ def seen_words(seen: Identifiability, held: tuple[str, ...] = ()) -> str:
     known = f" with {', '.join(given)} known" if given else ""
     still = f" while {', '.join(held)} {'is' if len(held) == 1 else 'are'} held" if held else ""
     told = f"{_outputs(seen)[0].upper()}{_outputs(seen)[1:]}{known}{still}"
-    numbers = f"{seen.determined} of {len(seen.parameters)} numbers"
+    numbers = (
+        f"{counted(seen.determined, 'number')} about {counted(len(seen.parameters), 'unknown parameter')}"
+    )
     if seen.is_complete:
         return f"{told} tells all {counted(len(seen.parameters), 'parameter')}." if seen.parameters else (
             f"{told}: there is no parameter to tell."

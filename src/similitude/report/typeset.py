@@ -75,30 +75,30 @@ def plain_formula(e: sp.Expr, starred: Collection[str] = ()) -> str:
 def math(e: sp.Expr, starred: Collection[str] = ()) -> Html:
     """An expression as MathML."""
     printer = _Printer(starred)
-    return Html(f"<math>{printer.doprint(_merged(e))}</math>")
+    inside = _plain(printer.doprint(e)).replace("<mo>-</mo>", "<mo>−</mo>")
+    inside = inside.replace("<mo> </mo>", '<mspace width="0.17em"></mspace>')
+    return Html(f'<math displaystyle="true">{inside}</math>')
 
 
 def math_product(exponents: Mapping[str, Fraction], starred: Collection[str] = ()) -> Html:
     """A product of powers as MathML."""
     powers = (
-        sp.Symbol(name, positive=True) ** sp.Rational(p.numerator, p.denominator) for name, p in exponents.items()
+        sp.Symbol(name, positive=True) ** sp.Rational(p.numerator, p.denominator)
+        for name, p in exponents.items()
     )
     return math(sp.Mul(*powers), starred)
 
 
 def math_rate(name: str, starred: Collection[str] = (), time: str = "t") -> Html:
-    """d(name)/d(time) as MathML."""
-    over, under = (_Printer(starred).doprint(sp.Symbol(n)) for n in (name, time))
-    return Html(
-        f"<math><mfrac><mrow><mi>d</mi>{over}</mrow><mrow><mi>d</mi>{under}</mrow></mfrac></math>"
-    )
+    """The rate d(name)/d(time) as MathML."""
+    over, under = (_plain(_Printer(starred).doprint(sp.Symbol(n))) for n in (name, time))
+    rate = f"<mfrac><mrow><mi>d</mi>{over}</mrow><mrow><mi>d</mi>{under}</mrow></mfrac>"
+    return Html(f'<math displaystyle="true">{rate}</math>')
 
 
-def _merged(e: sp.Expr) -> sp.Expr:
-    """Roots of one product instead of products of roots, where the whole is a product."""
-    if not e.is_Mul and not e.is_Pow:
-        return e
-    return e.xreplace({s: sp.Symbol(s.name, positive=True) for s in e.free_symbols})
+def _plain(markup: str) -> str:
+    """Characters in place of their numbers."""
+    return re.sub(r"&#(\d+);", lambda found: chr(int(found[1])), markup)
 
 
 class _Printer(MathMLPresentationPrinter):
