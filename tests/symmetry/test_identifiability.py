@@ -4,8 +4,8 @@ import pytest
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.equations import equations_of, read_equations
-from similitude.symmetry.identifiability import identifiability
+from similitude.symmetry.equations import read_equations
+from similitude.symmetry.identifiability import identifiability, identifiable
 from similitude.systems.bicycle import BICYCLE
 from similitude.systems.saturating_bicycle import SATURATING_BICYCLE
 
@@ -69,7 +69,7 @@ def test_a_pendulum_tells_gravity_over_length_whatever_its_arithmetic(rate):
 
 def test_a_bicycle_at_constant_speed_tells_the_numerator_of_its_transfer_function():
     # yaw rate over steer: a Caf/Iz s + Caf Car L/(m Iz U); the two of the denominator are sums
-    found = identifiability(equations_of(BICYCLE), BICYCLE.output_map, known=["U"])
+    found = identifiable(BICYCLE, held=["U"])
 
     names = ("m", "L", "a", "Caf", "Car", "Iz")
     meant = [
@@ -85,7 +85,7 @@ def test_a_bicycle_at_constant_speed_tells_the_numerator_of_its_transfer_functio
 
 def test_a_change_of_speed_shows_a_bicycle_all_but_its_mass():
     # coefficients with 1/U and without are told apart: five numbers for six parameters
-    found = identifiability(equations_of(BICYCLE), BICYCLE.output_map, varying=["U"])
+    found = identifiable(BICYCLE)
 
     assert found.unseen == ({"m": 1, "Caf": 1, "Car": 1, "Iz": 1},)
     assert found.curved == 0
@@ -93,7 +93,7 @@ def test_a_change_of_speed_shows_a_bicycle_all_but_its_mass():
 
 
 def test_the_limit_of_grip_shows_what_a_linear_tyre_hides():
-    found = identifiability(equations_of(SATURATING_BICYCLE), SATURATING_BICYCLE.output_map, known=["U"])
+    found = identifiable(SATURATING_BICYCLE, held=["U"])
 
     assert found.curved == 0
     assert {"grip": 1} in found.seen
@@ -116,3 +116,15 @@ def test_no_parameters_and_no_outputs_are_answered():
 def test_a_name_that_is_no_parameter_is_refused():
     with pytest.raises(ModelError, match="'x', which is no parameter"):
         seen_by({"x": "-k*x"}, "k", ["x"], known=["x"])
+
+
+def test_other_outputs_and_more_that_is_known():
+    assert identifiable(BICYCLE, ["v"], known=["m"]).outputs == ("v",)
+    assert identifiable(BICYCLE, known=["m"]).is_complete
+
+
+@pytest.mark.parametrize("asked", [{"outputs": ["ay"]}, {"held": ["m"]}, {"known": ["delta"]}])
+def test_names_that_are_not_the_models_are_refused(asked):
+    with pytest.raises(ModelError) as caught:
+        identifiable(BICYCLE, **asked)
+    assert all((caught.value.usually, caught.value.paste, caught.value.read))

@@ -24,7 +24,7 @@ from similitude.invariance.invariances import invariances
 from similitude.model import Model
 from similitude.symmetry.check import ScalingCheck
 from similitude.symmetry.equations import Equations, equations_of
-from similitude.symmetry.identifiability import Identifiability, identifiability
+from similitude.symmetry.identifiability import Identifiability, identifiable
 from similitude.symmetry.lattice import canonical, kernel
 from similitude.symmetry.scalings import Scalings, scalings_of
 
@@ -127,8 +127,6 @@ def analyze_model(
         why = "" if base is not None else _no_base(advice)
     rewritten = None if base is None else reparameterize(model, base=base)
     scalings = scalings_of(equations)
-    known = [q.name for q in model.parameters if q.known and q.name not in model.signals]
-    outputs = dict(model.output_map)
     return Analysis(
         model=model,
         equations=equations,
@@ -142,8 +140,8 @@ def analyze_model(
         scalings=scalings,
         check=scalings.verify(),
         beyond=_beyond(scalings, matrix, base),
-        seen=identifiability(equations, outputs, known=known, varying=model.signals),
-        steady=identifiability(equations, outputs, known=[*known, *model.signals]) if model.signals else None,
+        seen=identifiable(model),
+        steady=identifiable(model, held=model.signals) if model.signals else None,
         meanings=dict(meanings),
     )
 

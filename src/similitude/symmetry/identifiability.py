@@ -30,8 +30,9 @@ import numpy as np
 import sympy as sp
 
 from similitude.errors import ModelError
+from similitude.model import Model
 from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Floats, Modular, Series
-from similitude.symmetry.equations import Equations
+from similitude.symmetry.equations import Equations, equations_of
 from similitude.symmetry.lattice import kernel
 from similitude.symmetry.row_space import null_vectors, reduced, whole_rows
 from similitude.symmetry.tape import Tape, record
@@ -70,6 +71,62 @@ class Identifiability:
     def is_complete(self) -> bool:
         """Whether every parameter can be told from the outputs, locally."""
         return not self.unseen and not self.curved
+
+
+def identifiable(
+    model: Model,
+    outputs: Sequence[str] | None = None,
+    *,
+    known: Sequence[str] = (),
+    held: Sequence[str] = (),
+) -> Identifiability:
+    """Which parameter combinations of a model its outputs determine.
+
+    Parameters
+    ----------
+    model : Model        its parameters with known values are known, its signals known and changing.
+    outputs : names of outputs or states that are measured; all outputs where left out.
+    known : further parameters whose value is given.
+    held : signals among the parameters that do not change during the experiment.
+
+    Returns
+    -------
+    Identifiability      about all parameters that are neither known nor given by a constraint.
+
+    Raises
+    ------
+    ModelError           a name that is not the model's, or a model that is singular at every point tried.
+
+    Examples
+    --------
+    >>> from similitude.systems.bicycle import BICYCLE
+    >>> identifiable(BICYCLE).unseen
+    ({'m': 1, 'Caf': 1, 'Car': 1, 'Iz': 1},)
+
+    References
+    ----------
+    Sedoglavic 2002; Karlsson, Anguelova & Jirstrand 2012.
+    """
+    formulas = {q.name: sp.sympify(q.symbol) for q in model.states} | dict(model.output_map)
+    names = list(model.output_map) if outputs is None else list(outputs)
+    for name, there, what in [
+        *((n, formulas, "an output or a state") for n in names),
+        *((n, model.signals, "a signal among the parameters") for n in held),
+    ]:
+        if name not in there:
+            raise ModelError(
+                f"model {model.name!r}: {name!r} is not {what} (there are {', '.join(there) or 'none'})",
+                usually="A name was misspelt, or the model does not declare it.",
+                paste=f"identifiable(model, {list(model.output_map)[:1]!r})",
+                read='docs/symmetries.md, "What the outputs cannot see"',
+            )
+    given = [q.name for q in model.parameters if q.known and q.name not in model.signals]
+    return identifiability(
+        equations_of(model),
+        {name: formulas[name] for name in names},
+        known=tuple(dict.fromkeys([*given, *known, *held])),
+        varying=[name for name in model.signals if name not in (*held, *known)],
+    )
 
 
 def identifiability(
