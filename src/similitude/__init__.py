@@ -12,15 +12,20 @@ _ROOMS = {
     "Quantity": "model",
     "Run": "run",
     "SimilitudeError": "errors",
+    "System": "systems.system",
     "Vehicle": "vehicle_file",
+    "advise_base": "dimensional.base_advice",
     "bicycle_response": "simulate",
+    "check_system": "systems.check",
     "euler_rows": "invariance.invariances",
     "identify": "identification",
     "invariances": "invariance.invariances",
+    "pi_groups": "dimensional.pi_groups",
     "read_log": "log",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
     "run_scenario": "simulation.recording",
+    "shipped_system": "systems.shipped",
 }
 
 __all__ = sorted(_ROOMS)

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from similitude.dimensional.exact_span import span_of
 from similitude.errors import ModelError
 from similitude.model import Model, Quantity
 from similitude.units import Dimension, parse_unit
@@ -156,25 +157,13 @@ def _solve(
     model: Model, base: Sequence[str], columns: list[Dimension], name: str, wanted: Dimension
 ) -> dict[str, Fraction]:
     """Exponents of the base whose product has the wanted dimension, exactly."""
-    rows = sorted({r for d in (*columns, wanted) for r in d.exponents})
-    matrix = sp.Matrix(
-        [[sp.Rational(*_pair(d.exponents.get(r, Fraction(0)))) for d in columns] for r in rows]
-        or [[sp.Integer(0)] * len(columns)]
-    )
-    right = sp.Matrix([sp.Rational(*_pair(wanted.exponents.get(r, Fraction(0)))) for r in rows] or [0])
-    try:
-        solution, parameters = matrix.gauss_jordan_solve(right)
-    except ValueError:
-        solution, parameters = None, ()
-    if solution is None or parameters.shape[0]:
+    span = span_of([d.powers for d in columns], len(wanted.powers))
+    solution = None if span is None else span.exponents(wanted.powers)
+    if solution is None:
         raise ModelError(
             f"model {model.name!r}: the base {', '.join(base)} cannot measure {name!r} [{wanted}]",
             usually="The repeating variables are dependent, or do not reach one of the dimensions.",
-            paste=f"reparameterize(model, base={list(base)!r})   # one mass, one length, one time",
+            paste="print(similitude.advise_base(model))   # the bases that can",
             read="docs/architecture.md, 'Groups'",
         )
-    return {n: Fraction(int(v.p), int(v.q)) for n, v in zip(base, solution, strict=True)}
-
-
-def _pair(value: Fraction) -> tuple[int, int]:
-    return value.numerator, value.denominator
+    return dict(zip(base, solution, strict=True))

@@ -1,0 +1,96 @@
+"""The suite passes what is shipped, and finds every fault that is put into a system."""
+
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+
+from similitude import check_system, shipped_system
+from similitude.model import Quantity
+from similitude.systems.dc_motor import DC_MOTOR, SYSTEM, K, L, R, i, u, w
+from similitude.systems.shipped import SHIPPED
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_system_passes_and_explains_its_groups(name):
+    system = shipped_system(name)
+    check = check_system(system)
+
+    assert check.passed, str(check)
+    assert check.base == system.base and bool(check)
+    assert set(system.meanings) == {group.parameter for group in system.groups().groups}
+    assert system.source and system.model.source
+    assert all(quantity.meaning for quantity in system.model.quantities)
+    for row in system.table:
+        assert system.groups().value(system.numbers(row))
+
+
+def failing(system, **more):
+    check = check_system(system, **more)
+    assert not check
+    return {part.name: part.said for part in check.parts if part.passed is False}
+
+
+def test_a_term_of_another_dimension_is_found_and_named():
+    wrong = replace(DC_MOTOR, rates={**DC_MOTOR.rates, "i": (u - R * i - K * w) / L - R * i})
+
+    assert "-R*i" in failing(replace(SYSTEM, model=wrong))["homogeneous"]
+
+
+def test_a_base_that_is_none_is_explained():
+    said = failing(replace(SYSTEM, base=("R", "K", "b"), meanings={}))["base"]
+
+    assert "R b/K^2 has no dimension" in said and "does not reach i [A]" in said
+    assert "has no dimension" in failing(SYSTEM, base=("R", "L", "K", "J"))["base"]
+    assert "none of the variables" in failing(SYSTEM, base=("R", "L", "Q"))["base"]
+    assert "w is no parameter" in failing(SYSTEM, base=("R", "K", "w"))["base"]
+
+
+def test_a_base_variable_that_a_constraint_gives_is_refused():
+    assert "b is given by a constraint" in failing(shipped_system("bicycle"), base=("m", "b", "U"))["base"]
+
+
+def test_values_that_break_a_constraint_are_found():
+    car = shipped_system("bicycle")
+
+    assert "b = 0.3" in failing(replace(car, values={**car.values, "b": "0.3 m"}))["values"]
+
+
+def test_a_measure_of_no_size_is_found():
+    said = failing(replace(SYSTEM, values={**SYSTEM.values, "K": "0 N m/A"}))
+
+    assert "K = 0" in said["values"]
+
+
+def test_a_run_in_which_nothing_moves_is_no_proof():
+    assert "nothing moves" in failing(replace(SYSTEM, inputs={}))["two forms"]
+
+
+def test_a_run_that_blows_up_is_reported_and_not_raised():
+    said = failing(replace(SYSTEM, values={**SYSTEM.values, "b": "-1e9 N m s/rad"}))
+
+    assert "a run failed" in said["two forms"]
+
+
+def test_a_bare_model_is_tried_as_far_as_it_goes():
+    check = check_system(DC_MOTOR)
+
+    assert not check.failures and not check.passed  # nothing wrong, but not all was tried
+    assert [part.name for part in check.parts if part.passed is None] == ["values", "round trip", "two forms"]
+    assert len(check.base) == 3 and "give check_system a System" in str(check)
+
+
+def test_a_bare_model_without_a_base_is_explained():
+    x = sp.Symbol("x", real=True)
+    state = Quantity("x", "K")
+    lost = replace(
+        DC_MOTOR,
+        states=(state,),
+        inputs=(),
+        outputs=(state,),
+        parameters=(Quantity("k", "1/s"),),
+        rates={"x": -sp.Symbol("k", real=True) * x},
+        output_map={"x": x},
+    )
+
+    assert "does not reach x [K]" in failing(lost)["base"]
