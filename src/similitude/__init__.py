@@ -19,13 +19,20 @@ _ROOMS = {
     "check_system": "systems.check",
     "euler_rows": "invariance.invariances",
     "identify": "identification",
+    "into_groups": "rewriting.scaling",
     "invariances": "invariance.invariances",
+    "mismatches_of": "model",
+    "out_of_groups": "rewriting.scaling",
     "pi_groups": "dimensional.pi_groups",
+    "prove_equivalence": "rewriting.equivalence",
     "read_log": "log",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
+    "reparameterize": "groups",
+    "rewrite": "rewriting.rewritten",
     "run_scenario": "simulation.recording",
     "shipped_system": "systems.shipped",
+    "trajectory": "invariance.trajectory",
 }
 
 __all__ = sorted(_ROOMS)
