@@ -21,7 +21,7 @@ FLOW = (
     "homogeneity model_formulas",
     "model dimensional groups population reduction",
     "symmetry",
-    "linear invariance",
+    "linear invariance rewriting",
     "analysis",
     "matrix_function sampling",
     "estimators generated",

@@ -21,14 +21,21 @@ _ROOMS = {
     "euler_rows": "invariance.invariances",
     "identifiable": "symmetry.identifiability",
     "identify": "identification",
+    "into_groups": "rewriting.scaling",
     "invariances": "invariance.invariances",
+    "mismatches_of": "model",
+    "out_of_groups": "rewriting.scaling",
     "pi_groups": "dimensional.pi_groups",
+    "prove_equivalence": "rewriting.equivalence",
     "read_log": "log",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",
+    "reparameterize": "groups",
+    "rewrite": "rewriting.rewritten",
     "run_scenario": "simulation.recording",
     "scaling_symmetries": "symmetry.scalings",
     "shipped_system": "systems.shipped",
+    "trajectory": "invariance.trajectory",
 }
 
 __all__ = sorted(_ROOMS)

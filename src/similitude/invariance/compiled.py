@@ -1,14 +1,13 @@
-"""Expressions compiled to functions of numbers, with what this package adds to SymPy spelt out."""
+"""Expressions compiled to functions of numbers, with the functions this package adds to SymPy."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 
 import sympy as sp
 
 from similitude.saturation import Saturation, SaturationBend, SaturationSlope
-
-_OWN = (Saturation, SaturationSlope, SaturationBend)
 
 
 def compiled(symbols: Sequence[sp.Symbol], expressions: Sequence[sp.Expr]) -> Callable[..., list]:
@@ -19,11 +18,14 @@ def compiled(symbols: Sequence[sp.Symbol], expressions: Sequence[sp.Expr]) -> Ca
     symbols : in the order in which the function takes their values, numbers or arrays of one shape.
     expressions : in those symbols alone.
     """
-    plain = [
-        sp.sympify(e).replace(lambda part: isinstance(part, _OWN), lambda part: part.doit())
-        for e in expressions
-    ]
-    return sp.lambdify(list(symbols), plain, modules="numpy", cse=True, dummify=True)
+    return sp.lambdify(list(symbols), list(expressions), modules=[_own(), "numpy"], cse=True, dummify=True)
+
+
+@cache
+def _own() -> dict[str, Callable]:
+    x = sp.Dummy(real=True)
+    made = (Saturation, SaturationSlope, SaturationBend)
+    return {kind.__name__: sp.lambdify(x, kind(x).doit(), modules="numpy") for kind in made}
 
 
 def log_slope(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:

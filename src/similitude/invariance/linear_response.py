@@ -214,7 +214,10 @@ def _at(variable: str | None, *, sampled: str | None = None) -> Callable:
     def evaluate(numbers: _Numbers) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         if sampled is not None:
             numbers = _held(numbers, sampled)
-        points = np.asarray(0.0 if variable is None else numbers.values[variable], dtype=complex)
+        if variable is None:
+            gain, slopes = _transfer(numbers, 0.0, None)
+            return np.asarray(gain), {n: np.asarray(d) for n, d in slopes.items()}
+        points = np.asarray(numbers.values[variable], dtype=complex)
         found = [_transfer(numbers, point, variable) for point in points.reshape(-1)]
         y = np.array([g for g, _ in found]).reshape(points.shape)
         return y, {n: np.array([d[n] for _, d in found]).reshape(points.shape) for n in found[0][1]}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -137,7 +136,8 @@ def _output(model: Model, output: str | sp.Expr | None, angle: bool) -> tuple[st
         return output, formula, quantity.measure(angle=angle)
     if output is None or (isinstance(output, str) and output.isidentifier()):
         raise ModelError(
-            f"model {model.name!r} has no output {output!r} (outputs and states: {', '.join(named) or 'none'})",
+            f"model {model.name!r} has no output {output!r}"
+            f" (outputs and states: {', '.join(named) or 'none'})",
             usually="The name was misspelt.",
             paste=f"invariances(model, output={next(iter(named), 'x')!r})",
             read=READ,

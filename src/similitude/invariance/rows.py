@@ -120,7 +120,7 @@ def solve_rows(rows: Sequence[Row], names: Sequence[str], sensitivities: Mapping
     if missing:
         raise ModelError(
             f"the sensitivity to {', '.join(missing)} is missing",
-            usually="An argument was forgotten; time, the Laplace variable and the sample time are arguments.",
+            usually="An argument was forgotten; t, s and Ts are arguments too.",
             paste=f"known = {{{missing[0]!r}: ..., **known}}",
             read=READ,
         )

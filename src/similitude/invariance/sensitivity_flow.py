@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import sympy as sp
@@ -89,7 +90,7 @@ class _Integrator:
         rhs = self._augmented(values) if with_slopes else self._plain(values)
         found, now = [], start
         stops = np.concatenate([[0.0], order[order > 0]])
-        for before, after in zip(stops[:-1], stops[1:], strict=True):
+        for before, after in pairwise(stops):
             now = _solve(rhs, (before, after), now, None, method, FINE, floor).y[:, -1]
             found.append(now)
         return np.array([start, *found]) if order[0] == 0 else np.array(found)
@@ -141,7 +142,7 @@ def _solve(rhs, span, start, at, method: str, rtol: float, atol):
     if not found.success or not np.all(np.isfinite(found.y)):
         reached = found.t[-1] if len(found.t) else span[0]
         raise ModelError(
-            f"the trajectory cannot be followed beyond {reached:.4g} of {span[1]:.4g} [time]: {found.message}",
+            f"the trajectory cannot be followed beyond {reached:.4g} of {span[1]:.4g}: {found.message}",
             usually="A state runs away or leaves where its rate is a number (the root of a negative level).",
             paste="values = {..., 't': 0.1}   # a shorter time, or other initial states",
             read='docs/invariances.md, "Time responses"',
