@@ -17,8 +17,10 @@ PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
-    "saturation",
+    "saturation model_text_faults model_text",
+    "homogeneity model_formulas",
     "model dimensional groups population reduction",
+    "linear invariance rewriting",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",

@@ -8,6 +8,8 @@ import importlib
 # public name -> file that holds it
 _ROOMS = {
     "Log": "log",
+    "Model": "model",
+    "Quantity": "model",
     "Run": "run",
     "SimilitudeError": "errors",
     "System": "systems.system",
@@ -15,7 +17,9 @@ _ROOMS = {
     "advise_base": "dimensional.base_advice",
     "bicycle_response": "simulate",
     "check_system": "systems.check",
+    "euler_rows": "invariance.invariances",
     "identify": "identification",
+    "invariances": "invariance.invariances",
     "pi_groups": "dimensional.pi_groups",
     "read_log": "log",
     "read_scenario": "simulation.scenario",

@@ -83,19 +83,19 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     """
     columns = [model.quantity(name).dimension for name in base]
     scale = {q.name: _monomial(_solve(model, base, columns, q.name, q.dimension)) for q in model.quantities}
-    time = _monomial(_solve(model, base, columns, "time", parse_unit("s").dimension))
+    time = _monomial(_solve(model, base, columns, "time", parse_unit(model.time_unit).dimension))
     free = [q for q in model.parameters if q.name not in base]
     groups = tuple(_group(model, base, columns, q, i + 1) for i, q in enumerate(free))
     substitution = {q.symbol: scale[q.name] * g.symbol for q, g in zip(free, groups, strict=True)}
     signals = (*model.states, *model.inputs)
     substitution |= {q.symbol: scale[q.name] * q.symbol for q in signals}
-    positive = {model.quantity(n).symbol: sp.Symbol(n, positive=True) for n in base}
-    real = {symbol: name for name, symbol in positive.items()}
+    one = {model.quantity(n).symbol: sp.Integer(1) for n in base}
 
     def dimensionless(expression: sp.Expr, unit: sp.Expr, where: str) -> sp.Expr:
         result = sp.expand(sp.sympify(expression).xreplace(substitution) / unit)
-        if result.free_symbols & positive.keys():  # sums under a fraction or a root
-            result = sp.simplify(result.xreplace(positive)).xreplace(real)
+        if result.free_symbols & one.keys():  # sums under a fraction, a root or in a function
+            # The model is homogeneous, so the base cancels, and the value for a base of ones is the value.
+            result = sp.sympify(expression).xreplace(substitution).xreplace(one)
         left = sorted({s.name for s in result.free_symbols} & set(base))
         if left:
             raise ModelError(
@@ -107,7 +107,10 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
             )
         return sp.factor_terms(result)
 
-    of_parameter = {q.name: g for q, g in zip(free, groups, strict=True)}
+    constraints = {
+        name: dimensionless(e, scale[name], f"the constraint on {name!r}")
+        for name, e in model.constraints.items()
+    }
     return Groups(
         model=model,
         base=tuple(base),
@@ -122,11 +125,20 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
             name: dimensionless(out, scale[name], f"the output {name!r}")
             for name, out in model.output_map.items()
         },
-        constraints={
-            of_parameter[name].name: dimensionless(e, scale[name], f"the constraint on {name!r}")
-            for name, e in model.constraints.items()
-        },
+        constraints=_constraints(constraints, {q.name: g for q, g in zip(free, groups, strict=True)}),
     )
+
+
+def _constraints(rewritten: Mapping[str, sp.Expr], groups: Mapping[str, Group]) -> dict[str, sp.Expr]:
+    """Group name -> expression. What constrains a base parameter (1 = e) is solved for a group of e."""
+    found = {groups[name].name: e for name, e in rewritten.items() if name in groups}
+    for e in (e for name, e in rewritten.items() if name not in groups):
+        for symbol in sorted(e.free_symbols, key=lambda s: s.name):
+            solved = sp.solve(e - 1, symbol) if symbol.name not in found else []
+            if len(solved) == 1:
+                found[symbol.name] = solved[0]
+                break
+    return found
 
 
 def _group(model: Model, base: Sequence[str], columns: list[Dimension], q: Quantity, number: int) -> Group:
