@@ -27,6 +27,7 @@ from similitude.errors import ModelError, shown
 
 if TYPE_CHECKING:
     from similitude.model import Model
+    from similitude.systems.system import System
 
 READ = 'docs/groups.md, "Choosing a base"'
 
@@ -87,7 +88,7 @@ class BaseAdvice:
 
 
 def advise_base(
-    system: Mapping[str, str] | Model,
+    system: Mapping[str, str] | Model | System,
     *,
     angle: bool = False,
     spread: Mapping[str, float] | None = None,
@@ -99,8 +100,8 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model, whose base is made of parameters (those that
-        no constraint gives) and has to measure its states, inputs, outputs and time as well.
+    system : name -> unit of every variable; or a Model or System, whose base is made of parameters (those
+        that no constraint gives) and has to measure its states, inputs, outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
         that holds still is preferred. A variable not named here comes after those that are.
@@ -137,11 +138,12 @@ def advise_base(
 
 
 def _variables(system: Mapping[str, str] | Model, angle: bool) -> tuple[DimensionMatrix, tuple[str, ...]]:
+    system = getattr(system, "model", system)
     if not hasattr(system, "parameters"):
         matrix = dimension_matrix(system, angle=angle)
         return matrix, matrix.names
     units = {q.name: q.unit for q in system.quantities}
-    units |= {"time" if "time" not in units else "the time": "s"}
+    units |= {"time" if "time" not in units else "the time": system.time_unit}
     free = (q.name for q in system.parameters if q.name not in system.constraints)
     return dimension_matrix(units, angle=angle), tuple(free)
 
