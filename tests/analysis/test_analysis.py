@@ -40,7 +40,8 @@ def test_groups_are_those_of_the_paper_with_the_words_of_the_system(bicycle):
 
     assert named["pi3"].exponents == {"Caf": 1, "m": -1, "L": 1, "U": -2}
     assert named["pi1"].meaning
-    assert bicycle.is_dimensionless
+    assert bicycle.rows_after == 0
+    assert bicycle.equivalence.holds
 
 
 def test_every_row_of_a_bicycle_is_proven_and_counts_time(bicycle):

@@ -39,7 +39,7 @@ def test_rewritten_rates_are_read_back():
     names = [*(g.name for g in found.groups), "v", "r", "delta"]
 
     for name, text in rewritten["rates"].items():
-        assert sp.expand(parse_expression(text, names) - found.rewritten.rates[name]) == 0
+        assert sp.expand(parse_expression(text, names) - found.rewritten.groups.rates[name]) == 0
 
 
 def test_what_cannot_be_rewritten_says_why():

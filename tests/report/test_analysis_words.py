@@ -8,6 +8,7 @@ from similitude.report.analysis_words import (
     headline,
     moved,
     residual_words,
+    rewrite_words,
     rows_are_empty,
     seen_words,
 )
@@ -57,3 +58,15 @@ def test_rows_are_empty_only_after_a_rewrite():
     assert not rows_are_empty(decay())
     assert residual_words(analysed("bicycle").invariances[0]) == "0, proven"
     assert residual_words(replace(analysed("bicycle").invariances[0], residual=2e-50)) == "2.0e-50"
+
+
+def test_a_rewritten_model_is_said_to_be_the_same_and_what_it_leaves_out():
+    same, left = rewrite_words(analysed("bicycle"))
+
+    assert same == (
+        "It is the same model: compared in exact arithmetic at three random points, then in symbols."
+    )
+    assert left.startswith("U taken as constant; left out: ")
+    assert rewrite_words(analysed("rlc_circuit"))[1:] == ()
+    wrong = replace(analysed("bicycle").equivalence, wrong={"rate of v": 1})
+    assert "not the same" in rewrite_words(replace(analysed("bicycle"), equivalence=wrong))[0]

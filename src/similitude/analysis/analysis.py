@@ -19,9 +19,10 @@ import sympy as sp
 from similitude.dimensional.base_advice import BaseAdvice, advise_base
 from similitude.dimensional.matrix import DimensionMatrix, dimension_matrix
 from similitude.dimensional.pi_groups import pi_groups
-from similitude.groups import Groups, reparameterize
 from similitude.invariance.invariances import invariances
 from similitude.model import Model
+from similitude.rewriting.equivalence import Equivalence, prove_equivalence
+from similitude.rewriting.rewritten import Rewritten, rewrite
 from similitude.symmetry.check import ScalingCheck
 from similitude.symmetry.equations import Equations, equations_of
 from similitude.symmetry.identifiability import Identifiability, identifiable
@@ -58,8 +59,9 @@ class Analysis:
     """A model and what was found about it.
 
     ``base`` is empty and ``rewritten`` None where no parameters can measure everything; ``why`` then says so,
-    and ``groups`` are those of all variables. ``beyond``: scalings that are no units, with the base held.
-    ``steady``: what the outputs tell while signals among the parameters are held, None where there are none.
+    and ``groups`` are those of all variables. ``rows_after``: how many rows of the rewritten model couple any
+    sensitivities; none, as it has no dimension left. ``beyond``: scalings that are no units, with the base
+    held. ``steady``: what the outputs tell while signals among the parameters are held, None where there are none.
     """
 
     model: Model
@@ -70,23 +72,15 @@ class Analysis:
     matrix: DimensionMatrix
     invariances: tuple[CheckedRow, ...]
     groups: tuple[NamedGroup, ...]
-    rewritten: Groups | None
+    rewritten: Rewritten | None
+    equivalence: Equivalence | None
+    rows_after: int | None
     scalings: Scalings
     check: ScalingCheck
     beyond: tuple[Mapping[str, int], ...]
     seen: Identifiability
     steady: Identifiability | None
     meanings: Mapping[str, str] = field(default_factory=dict)
-
-    @property
-    def is_dimensionless(self) -> bool:
-        """Whether no group has a dimension, so that every row of the rewritten model is empty."""
-        rows = range(len(self.matrix.rows))
-        return not any(
-            sum(power * self.matrix.column(name)[i] for name, power in group.exponents.items())
-            for group in self.groups
-            for i in rows
-        )
 
     @property
     def units(self) -> int:
@@ -125,7 +119,7 @@ def analyze_model(
         advice = advise_base(model)
         base, base_origin = advice.best, "advised"
         why = "" if base is not None else _no_base(advice)
-    rewritten = None if base is None else reparameterize(model, base=base)
+    rewritten = None if base is None else rewrite(model, base=base)
     scalings = scalings_of(equations)
     return Analysis(
         model=model,
@@ -137,6 +131,8 @@ def analyze_model(
         invariances=_invariances(model),
         groups=_groups(model, matrix, rewritten, meanings),
         rewritten=rewritten,
+        equivalence=None if rewritten is None else prove_equivalence(rewritten),
+        rows_after=None if rewritten is None else _rows_left(rewritten.model),
         scalings=scalings,
         check=scalings.verify(),
         beyond=_beyond(scalings, matrix, base),
@@ -159,6 +155,11 @@ def _invariances(model: Model) -> tuple[CheckedRow, ...]:
     return tuple(checked)
 
 
+def _rows_left(model: Model) -> int:
+    """Rows that are not empty, over all outputs."""
+    return sum(not row.is_empty for output in model.output_map for row in invariances(model, output).rows)
+
+
 def _residual(left: sp.Expr) -> float:
     """Zero where a row is proven, the largest value found where it is only found to hold."""
     return float(left) if left.is_number else math.inf
@@ -176,7 +177,7 @@ def _no_base(advice: BaseAdvice) -> str:
 
 
 def _groups(
-    model: Model, matrix: DimensionMatrix, rewritten: Groups | None, meanings: Mapping[str, str]
+    model: Model, matrix: DimensionMatrix, rewritten: Rewritten | None, meanings: Mapping[str, str]
 ) -> tuple[NamedGroup, ...]:
     if rewritten is not None:
         return tuple(
@@ -186,7 +187,7 @@ def _groups(
                 g.parameter,
                 meanings.get(g.parameter) or _words(model, g.parameter),
             )
-            for g in rewritten.groups
+            for g in rewritten.groups.groups
         )
     units = {q.name: q.unit for q in model.quantities}
     everything = {name: units.get(name, model.time_unit) for name in matrix.names}

@@ -17,6 +17,7 @@ from similitude.report.analysis_words import (
     account,
     headline,
     residual_words,
+    rewrite_words,
     rows_are_empty,
     seen_words,
 )
@@ -126,10 +127,9 @@ def _groups(found: Analysis) -> Html:
 
 
 def _rewritten(found: Analysis) -> Html:
-    groups = found.rewritten
-    if groups is None:
+    if found.rewritten is None:
         return paragraph("No base of parameters measures every state, input and output.", quiet=True)
-    model, time = found.model, found.equations.time
+    groups, model, time = found.rewritten.groups, found.model, found.equations.time
     signals = dict.fromkeys(q.name for kind in (model.states, model.inputs, model.outputs) for q in kind)
     scaled = {n: groups.scale[n] for n in signals if groups.scale[n] != 1}
     scaled |= {time: groups.time_scale} if groups.time_scale != 1 else {}
@@ -138,7 +138,8 @@ def _rewritten(found: Analysis) -> Html:
     others = {**groups.output_map, **groups.constraints}
     rows += [(_name(n, stars), math(e, stars)) for n, e in others.items() if n not in groups.rates]
     back = joined((_back(n, e, stars) for n, e in scaled.items()), ", ")
-    return joined([_lines(rows), paragraph("Back: ", back, quiet=True)] if scaled else [_lines(rows)])
+    said = [paragraph("Back: ", back, quiet=True)] if scaled else []
+    return joined([_lines(rows), *said, *(paragraph(line, quiet=True) for line in rewrite_words(found))])
 
 
 def _back(name: str, scale: sp.Expr, stars: Collection[str]) -> Html:

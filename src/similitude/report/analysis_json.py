@@ -112,9 +112,9 @@ def _symmetries(found: Analysis) -> dict[str, Any]:
 
 
 def _rewritten(found: Analysis) -> dict[str, Any] | None:
-    groups = found.rewritten
-    if groups is None:
+    if found.rewritten is None:
         return {"why_not": found.why}
+    groups, proof = found.rewritten.groups, found.equivalence
     model = found.model
     signals = [q.name for kind in (model.states, model.inputs, model.outputs) for q in kind]
     return {
@@ -123,6 +123,9 @@ def _rewritten(found: Analysis) -> dict[str, Any] | None:
         "scales": {name: sp.sstr(groups.scale[name]) for name in dict.fromkeys(signals)},
         "rates": {name: sp.sstr(rate) for name, rate in groups.rates.items()},
         "outputs": {name: sp.sstr(e) for name, e in groups.output_map.items()},
+        "same_model": proof.holds,
+        "left_out": {name: sp.sstr(e) for name, e in found.rewritten.left_out.items()},
+        "rows_left": found.rows_after,
         "constraints": {name: sp.sstr(e) for name, e in groups.constraints.items()},
     }
 

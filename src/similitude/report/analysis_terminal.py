@@ -20,6 +20,7 @@ from similitude.report.analysis_words import (
     headline,
     moved,
     residual_words,
+    rewrite_words,
     rows_are_empty,
     seen_words,
 )
@@ -133,10 +134,9 @@ def _groups(found: Analysis) -> Group | Table:
 
 
 def _rewritten(found: Analysis) -> Group | Text:
-    groups = found.rewritten
-    if groups is None:
+    if found.rewritten is None:
         return Text("No base of parameters measures every state, input and output.", style=QUIET)
-    model, time = found.model, found.equations.time
+    groups, model, time = found.rewritten.groups, found.model, found.equations.time
     signals = [q.name for kind in (model.states, model.inputs, model.outputs) for q in kind]
     scaled = {n: groups.scale[n] for n in dict.fromkeys(signals) if groups.scale[n] != 1}
     if groups.time_scale != 1:
@@ -151,9 +151,8 @@ def _rewritten(found: Analysis) -> Group | Text:
             left = Text(plain_name(name, stars), style=VALUE)
             equations.add_row(left, "=", Text(plain_formula(value, stars)))
     back = ", ".join(f"{plain_name(n)} = {_measured(n, e, stars)}" for n, e in scaled.items())
-    return Group(
-        equations, Text(f"back: {back}" if back else "everything is a pure number already", style=QUIET)
-    )
+    said = [f"back: {back}" if back else "everything is a pure number already", *rewrite_words(found)]
+    return Group(equations, *(Text(line, style=QUIET) for line in said))
 
 
 def _measured(name: str, scale, stars: set[str]) -> str:

@@ -14,12 +14,25 @@ if TYPE_CHECKING:
 
 WORDS = "no one two three four five six seven eight nine ten eleven twelve".split()
 
-AFTER = "After the rewrite every row is empty: no group has a dimension."
+AFTER = "After the rewrite every row is empty: nothing has a dimension."
 
 
 def rows_are_empty(found: Analysis) -> bool:
-    """Whether the model was rewritten and nothing in it has a dimension any more."""
-    return found.rewritten is not None and found.is_dimensionless
+    """Whether the model was rewritten and no row couples its sensitivities any more."""
+    return found.rows_after == 0
+
+
+def rewrite_words(found: Analysis) -> tuple[str, ...]:
+    """Whether the rewritten model is the same model, and what it leaves out."""
+    proof = found.equivalence
+    if proof.wrong:
+        same = f"It is not the same model: {', '.join(proof.wrong)} differ."
+    else:
+        how = "in exact arithmetic" if proof.exact else "to fifty digits"
+        shown = "" if proof.not_shown else ", then in symbols"
+        same = f"It is the same model: compared {how} at {counted(proof.points, 'random point')}{shown}."
+    left = found.rewritten.statement
+    return (same, f"{left[0].upper()}{left[1:]}.") if left else (same,)
 
 
 def residual_words(row: CheckedRow) -> str:
