@@ -20,6 +20,7 @@ from bench.kernels import (
     rls_kernel,
     small_car_config,
 )
+from bench.model_analysis import REACTIONS, run_analysis, scalings
 from bench.pi_theorem import SIZES, actions
 from bench.timing import Times, interleave
 from bench.whole_process import processes
@@ -38,10 +39,13 @@ class Counts:
     processes: int = 9  # rounds; 0 leaves the processes out
     groups: tuple[int, ...] = SIZES  # numbers of variables whose Pi groups are found
     groups_rounds: int = 7
+    reactions: int = REACTIONS  # of the chain whose scalings are found
+    analyses: int = 5  # rounds of scalings and of the whole analysis; 0 leaves the latter out
 
 
-QUICK = Counts(1000, 3, 60, 2, 0, 0, (7, 40), 1)
+QUICK = Counts(1000, 3, 60, 2, 0, 0, (7, 40), 1, 6, 0)
 LONGEST_MS = {40: 5.0, 200: 15.0}  # for the Pi groups of so many variables
+LONGEST_S = {"scalings": 2.0, "analyze": 3.0}  # of sixty reactions; of the bicycle, process and all
 
 
 @dataclass(frozen=True)
@@ -76,6 +80,8 @@ def measure(counts: Counts) -> tuple[list[Row], list[Bound]]:
     rows, bounds = compiled(counts)
     rows += scripted(counts)
     more, limits = dimensional(counts)
+    rows, bounds = rows + more, bounds + limits
+    more, limits = structural(counts)
     rows, bounds = rows + more, bounds + limits
     if counts.processes:
         more, bound = whole_process(counts)
@@ -148,6 +154,24 @@ def dimensional(counts: Counts) -> tuple[list[Row], list[Bound]]:
                 against = Times((most * 1e-3,))
                 bounds.append(_bound(f"{name} in {most:g} ms", name, "ms", {**named, "ms": against}, 1.0))
     return rows, bounds
+
+
+def structural(counts: Counts) -> tuple[list[Row], list[Bound]]:
+    """Scalings of a chain of reactions and a whole analysis; bounds in seconds, not ratios."""
+    timed = interleave(scalings(counts.reactions), max(counts.analyses, 1), clock=time.perf_counter)
+    rows = [Row(name, "system", 1e6 * t.median, 1e6 * t.least) for name, t in timed.items()]
+    first = next(iter(timed))
+    bounds = [_within(first, timed[first], LONGEST_S["scalings"])]
+    if counts.analyses:
+        name = "similitude analyze bicycle"
+        taken = interleave({name: run_analysis}, counts.analyses, clock=time.perf_counter)[name]
+        rows.append(Row(name, "process", 1e6 * taken.median, 1e6 * taken.least))
+        bounds.append(_within(name, taken, LONGEST_S["analyze"]))
+    return rows, bounds
+
+
+def _within(name: str, taken: Times, most: float) -> Bound:
+    return _bound(f"{name} in {most:g} s", name, "s", {name: taken, "s": Times((most,))}, 1.0)
 
 
 def whole_process(counts: Counts) -> tuple[list[Row], Bound]:

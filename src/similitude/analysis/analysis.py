@@ -61,7 +61,8 @@ class Analysis:
     ``base`` is empty and ``rewritten`` None where no parameters can measure everything; ``why`` then says so,
     and ``groups`` are those of all variables. ``rows_after``: how many rows of the rewritten model couple any
     sensitivities; none, as it has no dimension left. ``beyond``: scalings that are no units, with the base
-    held. ``steady``: what the outputs tell while signals among the parameters are held, None where there are none.
+    held. ``steady``: what the outputs tell while signals among the parameters are held, None where there
+    are none.
     """
 
     model: Model
