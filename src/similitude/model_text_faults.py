@@ -35,7 +35,8 @@ def unknown_name(what: str, text: str, name: str, names: Sequence[str]) -> Model
     said = ", ".join(names[:20]) + (" …" if len(names) > 20 else "")
     return _fault(
         f"{what}, {shown(text)}, uses {shown(name)}, which is not declared (declared: {said or 'nothing'})",
-        "A parameter is missing from the list, or a name was misspelt; names are case-sensitive.",
+        "A parameter is missing from the list, a state has no rate, or a name was misspelt; names are "
+        "case-sensitive.",
         f"{near[0]}   # in place of {name}" if near else f"parameters=[..., {name!r}]",
     )
 

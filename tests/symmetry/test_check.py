@@ -48,3 +48,9 @@ def test_a_system_without_rates_that_do_anything():
     assert found.count == 2
     assert found.verify()
     assert found.reduced.drifts == {"x": sp.Integer(0), "t": 1}
+
+
+def test_a_term_too_small_for_floats_still_counts():
+    powers = "(" + " + ".join(f"a{i}*x" for i in range(30)) + ")**20"  # about 1e30 times the other term
+
+    assert scaling_symmetries({"x": f"{powers} - b*x"}, [*(f"a{i}" for i in range(30)), "b"]).verify()

@@ -19,6 +19,7 @@ def test_text_expressions_and_numbers_make_the_same_equations():
     meant = read({"x": "-k*x"})
 
     assert read({"x": -k * x}) == meant
+    assert read({x: -k * x}, [k]) == meant
     assert read({"x": -k * moving}) == meant
     assert read({"x": 0.5}).rates["x"] == sp.Rational(1, 2)
     assert meant.names == ("t", "x", "k")

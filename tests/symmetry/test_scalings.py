@@ -196,3 +196,17 @@ def test_a_base_that_cannot_measure_is_refused(base):
     with pytest.raises(ModelError, match="does not measure") as caught:
         found.reduce(base)
     assert caught.value.paste == "scalings.reduce(['r', 'K'])"
+
+
+def test_a_system_prints_as_its_scalings_and_what_is_left():
+    text = str(scaling_symmetries({"N": "r*N*(1 - N/K)"}, ["r", "K"]))
+
+    for line in (
+        "2 scalings",
+        "  t^-1, r",
+        "  N, K",
+        "unchanged: t r,  N K^-1",
+        "measured in r, K:",
+        "d(N) = N*(1 - N)",
+    ):
+        assert line in text

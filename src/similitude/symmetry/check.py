@@ -3,7 +3,7 @@
     scaled     f_i(lambda^w z) against lambda^(w_i - w_t) f_i(z), at random points and random lambda
     restored   each original rate against what the reduced system and the way back make of it
     missed     scalings that exist and were not found: n - count - rank of (z_j d ln F_i/dz_j) over random
-               points, F_i = t f_i/x_i, in floats and without taking the equations apart
+               points, F_i = t f_i/x_i, without taking the equations apart
 
 Invariant: nothing of `relations` is used here.
 """
@@ -17,10 +17,11 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Floats, run
+from similitude.symmetry.arithmetic import DIGITS, BadPoint, Digits, Floats, Modular, run
 from similitude.symmetry.equations import Equations
 from similitude.symmetry.reduced_system import ReducedSystem
-from similitude.symmetry.tape import record
+from similitude.symmetry.row_space import reduced
+from similitude.symmetry.tape import Tape, record
 
 EXACT = 1e-40  # relative; rounding at DIGITS digits is near 1e-58
 POINTS = 3
@@ -123,38 +124,57 @@ def _at_points(once) -> list[float]:
 
 
 def _missed(equations: Equations, count: int) -> int:
-    """Scalings beyond `count`, from gradients in floats."""
-    names = equations.names
+    """Scalings beyond `count`: in floats, and where that finds any, without losing small terms."""
     time = sp.Symbol(equations.time, real=True)
     sides = [time * rate / sp.Symbol(name, real=True) for name, rate in equations.rates.items()]
     sides += [value / sp.Symbol(name, real=True) for name, value in equations.relations.items()]
-    blocks = [_gradients(side, names) for side in sides if side.free_symbols]
-    together = np.concatenate([*blocks, np.zeros((1, len(names)))])
-    singular = np.linalg.svd(together, compute_uv=False)
-    rank = int(np.sum(singular > FLAT * singular[0])) if singular[0] else 0
-    return len(names) - count - rank
+    tapes = [
+        (record([side]), sorted(s.name for s in side.free_symbols)) for side in sides if side.free_symbols
+    ]
+    total = len(equations.names) - count
+    if total == _rank(tapes, equations.names, Floats()):
+        return 0
+    exact = all(tape.rational and not tape.branches for tape, _ in tapes)
+    with mpmath.workdps(DIGITS):
+        return total - _rank(tapes, equations.names, Modular() if exact else Digits())
 
 
-def _gradients(side: sp.Expr, names: Sequence[str]) -> np.ndarray:
-    """An orthonormal basis (rank, n) of what the gradients z_j d ln F/dz_j span over the points."""
-    used = sorted((s.name for s in side.free_symbols), key=list(names).index)
-    tape, rows, seed = record([side]), [], 0
+def _rank(tapes: Sequence[tuple[Tape, list[str]]], names: Sequence[str], field) -> int:
+    """Rank of all gradients together."""
+    place = {name: j for j, name in enumerate(names)}
+    blocks = [np.zeros((0, len(names)), dtype=field.dtype)]
+    for tape, used in tapes:
+        small = _basis(_gradients(tape, used, field))
+        wide = np.zeros((len(small), len(names)), dtype=field.dtype)
+        wide[:, [place[name] for name in used]] = small
+        blocks.append(wide)
+    return len(_basis(np.concatenate(blocks)))
+
+
+def _gradients(tape: Tape, used: Sequence[str], field) -> np.ndarray:
+    """Rows z_j d ln F/dz_j (points, n) at random points of the names used."""
+    rows, seed = [], 0
     while len(rows) < len(used) + SPARE and seed < TRIES + len(used) + SPARE:
-        values = {}
-        draws = np.exp(2 * Floats().draw(np.random.default_rng([seed, 7]), len(used)) - 2)
-        for k, (name, z) in enumerate(zip(used, draws, strict=True)):
-            values[name] = np.zeros(1 + len(used))
-            values[name][[0, 1 + k]] = z
+        draws = field.draw(np.random.default_rng([seed, 7]), len(used))
+        draws = np.exp(2 * draws - 2) if field.dtype is np.float64 else draws  # far apart, for the condition
         seed += 1
+        values = {}
+        for k, (name, z) in enumerate(zip(used, draws, strict=True)):
+            values[name] = np.zeros(1 + len(used), dtype=field.dtype)
+            values[name][[0, 1 + k]] = z
         try:
-            value = run(tape, Floats(), values)[0]
+            value = run(tape, field, values)[0]
+            rows.append(field.wrap(value[1:] * field.inverse(value[:1])))
         except BadPoint:
             continue
-        slopes = value[1:] / value[0]
-        size = np.linalg.norm(slopes)
-        rows.append(slopes / size if size > FLAT else 0 * slopes)
-    _, sizes, directions = np.linalg.svd(np.array(rows).reshape(-1, len(used)), full_matrices=False)
-    kept = directions[sizes > FLAT * sizes[0]] if sizes.size and sizes[0] else directions[:0]
-    wide = np.zeros((len(kept), len(names)))
-    wide[:, [list(names).index(name) for name in used]] = kept
-    return wide
+    return np.array(rows, dtype=field.dtype).reshape(-1, len(used))
+
+
+def _basis(rows: np.ndarray) -> np.ndarray:
+    """Rows (rank, n) that span the same; in floats those along which the rows are not flat."""
+    if rows.dtype != np.float64:
+        return reduced(rows)[0]
+    sizes = np.linalg.norm(rows, axis=1, keepdims=True)
+    straight = np.where(sizes > FLAT, rows / np.where(sizes > FLAT, sizes, 1.0), 0.0)
+    _, singular, directions = np.linalg.svd(straight, full_matrices=False)
+    return directions[singular > FLAT * singular[0]] if singular.size and singular[0] else directions[:0]

@@ -68,6 +68,8 @@ def read_equations(
             "A list of equations was given, or an empty one.",
             "rates={'x': '-k*x'}",
         )
+    rates = {_name(name): rate for name, rate in rates.items()}
+    parameters, signals, time = [*map(_name, parameters)], [*map(_name, signals)], _name(time)
     roles = [("time", [time]), ("state", rates), ("signal", signals), ("parameter", parameters)]
     _check_names(roles)
     names = [name for _, of_role in roles for name in of_role]
@@ -94,6 +96,13 @@ def equations_of(model: Model, *, time: str = "t") -> Equations:
         rates={name: sp.sympify(rate) for name, rate in model.rates.items()},
         relations=outputs | {name: sp.sympify(e) for name, e in model.constraints.items()},
     )
+
+
+def _name(given: object) -> object:
+    """A name, also where its symbol or its function of time was given."""
+    if isinstance(given, sp.core.function.AppliedUndef):
+        return given.func.__name__
+    return given.name if isinstance(given, sp.Symbol) else given
 
 
 def _check_names(roles: list[tuple[str, Sequence[str]]]) -> None:

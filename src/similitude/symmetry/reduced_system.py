@@ -43,6 +43,15 @@ class ReducedSystem:
     scale: Mapping[str, sp.Expr]
     new_name: Mapping[str, str]
 
+    def __str__(self) -> str:
+        lines = [f"measured in {', '.join(self.base) or 'nothing'}:"]
+        for name, powers in self.definitions.items():
+            lines.append(f"  {name} = " + " ".join(n if p == 1 else f"{n}^{p}" for n, p in powers.items()))
+        lines += [f"  d({name}) = {sp.sstr(rate)}" for name, rate in self.rates.items()]
+        lines += [f"  {name} = {sp.sstr(value)}" for name, value in self.relations.items()]
+        lines += [f"  d(ln {name}) = {sp.sstr(drift)}" for name, drift in self.drifts.items()]
+        return "\n".join(lines)
+
     def restore(self, state: str) -> sp.Expr:
         """The original rate of a state that is not in the base, from the reduced one."""
         time = next(iter(self.scale))  # the first name is time

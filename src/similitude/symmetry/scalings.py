@@ -49,6 +49,14 @@ class Scalings:
         """How many independent scalings there are."""
         return len(self.weights)
 
+    def __str__(self) -> str:
+        lines = [f"{self.count} scaling{'s' * (self.count != 1)}; in each, what is multiplied together:"]
+        lines += [
+            "  " + ", ".join(_power(name, power) for name, power in row.items()) for row in self.weights
+        ]
+        unchanged = ",  ".join(" ".join(_power(*one) for one in group.items()) for group in self.invariants)
+        return "\n".join([*lines, f"unchanged: {unchanged or 'nothing'}", str(self.reduced)])
+
     def verify(self) -> ScalingCheck:
         """Scale the equations at random points, undo the reduction, and count what was missed."""
         return check_scalings(self.equations, self.weights, self.reduced)
@@ -164,6 +172,10 @@ def _weights(equations: Equations) -> list[list[int]]:
 def _preference(equations: Equations, name: str) -> int:
     roles = (equations.parameters, equations.states, equations.signals, equations.results, (equations.time,))
     return next(k for k, role in enumerate(roles) if name in role)
+
+
+def _power(name: str, power: int | Fraction) -> str:
+    return name if power == 1 else f"{name}^{power}"
 
 
 def _matrix(weights: Sequence[Mapping[str, int]], names: Sequence[str]) -> list[list[int]]:
