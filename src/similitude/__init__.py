@@ -18,6 +18,7 @@ _ROOMS = {
     "bicycle_response": "simulate",
     "check_system": "systems.check",
     "euler_rows": "invariance.invariances",
+    "from_control": "linear.control",
     "identify": "identification",
     "into_groups": "rewriting.scaling",
     "invariances": "invariance.invariances",
@@ -32,7 +33,11 @@ _ROOMS = {
     "rewrite": "rewriting.rewritten",
     "run_scenario": "simulation.recording",
     "shipped_system": "systems.shipped",
+    "state_space_model": "linear.construction",
+    "to_control": "linear.control",
     "trajectory": "invariance.trajectory",
+    "transfer_function": "linear.matrices",
+    "transfer_function_model": "linear.construction",
 }
 
 __all__ = sorted(_ROOMS)
