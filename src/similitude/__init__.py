@@ -19,6 +19,7 @@ _ROOMS = {
     "bicycle_response": "simulate",
     "check_system": "systems.check",
     "euler_rows": "invariance.invariances",
+    "from_control": "linear.control",
     "identifiable": "symmetry.identifiability",
     "identify": "identification",
     "into_groups": "rewriting.scaling",
@@ -35,7 +36,11 @@ _ROOMS = {
     "run_scenario": "simulation.recording",
     "scaling_symmetries": "symmetry.scalings",
     "shipped_system": "systems.shipped",
+    "state_space_model": "linear.construction",
+    "to_control": "linear.control",
     "trajectory": "invariance.trajectory",
+    "transfer_function": "linear.matrices",
+    "transfer_function_model": "linear.construction",
 }
 
 __all__ = sorted(_ROOMS)
