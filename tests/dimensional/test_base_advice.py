@@ -72,7 +72,16 @@ def test_a_model_without_a_base_says_what_it_lacks():
     advice = advise_base(model)
 
     assert advice.best is None and advice.ranked == ()
-    assert "does not reach T [K]" in str(advice) and str(advice).startswith("No base")
+    assert str(advice).startswith("No base: k span s and do not reach T [K]")
+
+
+def test_a_static_model_needs_no_measure_of_time():
+    dT, flow, Ch, Cc = (Quantity(n, u) for n, u in (("dT", "K"), ("q", "W"), ("Ch", "W/K"), ("Cc", "W/K")))
+    nominal = Quantity("d", "K")
+    model = Model("mixer", (), (dT,), (flow,), (Ch, Cc, nominal), {}, {"q": "dT*Ch*Cc/(Ch + Cc)"})
+
+    assert {ranked.base for ranked in advise_base(model).ranked} == {("Ch", "d"), ("Cc", "d")}
+    assert reparameterize(model, base=("Ch", "d")).time_scale == 1
 
 
 def test_an_invalid_base_is_explained():

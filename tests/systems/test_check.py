@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from similitude import check_system, shipped_system
+from similitude import System, check_system, shipped_system
+from similitude.errors import ModelError
 from similitude.model import Model, Quantity
 from similitude.systems.dc_motor import DC_MOTOR, SYSTEM, K, L, R, i, u, w
 from similitude.systems.shipped import SHIPPED
@@ -100,4 +101,26 @@ def test_a_bare_model_without_a_base_is_explained():
         output_map={"x": x},
     )
 
-    assert "does not reach x [K]" in failing(lost)["base"]
+    assert "do not reach x [K]" in failing(lost)["base"]
+
+
+def test_a_static_system_is_checked_without_a_run():
+    model = Model(
+        "exchanger",
+        states=(),
+        inputs=(Quantity("dT", "K"),),
+        outputs=(Quantity("q", "W"),),
+        parameters=(Quantity("C", "W/K"), Quantity("d", "K"), Quantity("UA", "W/K")),
+        rates={},
+        output_map={"q": "C*(1 - exp(-UA/C))*dT"},  # a condenser: effectiveness 1 - exp(-NTU)
+    )
+    values = {"C": "2 W/K", "d": "1 K", "UA": "3 W/K"}
+    system = System(model, ("C", "d"), values, "", duration="1 s", inputs={"dT": "10 K"})
+
+    check = check_system(system)
+    assert check.passed and check.complete, str(check)
+
+
+def test_what_is_no_system_is_refused():
+    with pytest.raises(ModelError, match="given 'bicycle', which is neither"):
+        check_system("bicycle")

@@ -79,12 +79,22 @@ class BaseAdvice:
 
     def _headline(self) -> str:
         if not self.ranked:
-            return f"No base: {check_base(self.matrix, self.candidates, self.candidates).reason}"
-        found = len(self.ranked)
+            return self._lack()
+        found, size = len(self.ranked), self.matrix.rank
         count = f"{found} base{'s are' if found > 1 else ' is'} valid" if self.complete else (
             f"the first {found} valid bases were looked at"
         )  # fmt: skip
-        return f"{count}, {self.matrix.rank} variables each, best first:"
+        return f"{count}, {size} variable{'' if size == 1 else 's'} each, best first:"
+
+    def _lack(self) -> str:
+        check = check_base(self.matrix, self.candidates, self.candidates)
+        spans = f"{', '.join(self.candidates) or 'they'} span {', '.join(check.spans) or 'nothing'}"
+        far = ", ".join(f"{name} [{text}]" for name, text in check.unreached.items())
+        one = next(iter(check.unreached))
+        return (
+            f"No base: {spans} and do not reach {far}; a parameter is missing to measure by, such as a"
+            f" nominal {one}"
+        )
 
 
 def advise_base(
@@ -143,7 +153,8 @@ def _variables(system: Mapping[str, str] | Model, angle: bool) -> tuple[Dimensio
         matrix = dimension_matrix(system, angle=angle)
         return matrix, matrix.names
     units = {q.name: q.unit for q in system.quantities}
-    units |= {"time" if "time" not in units else "the time": system.time_unit}
+    if system.states:  # a static model has no time to measure
+        units |= {"time" if "time" not in units else "the time": system.time_unit}
     free = (q.name for q in system.parameters if q.name not in system.constraints)
     return dimension_matrix(units, angle=angle), tuple(free)
 

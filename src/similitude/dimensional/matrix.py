@@ -114,10 +114,10 @@ def _plain(powers: tuple[Fraction, ...]) -> Column:
 
 
 def _unit(name: str, unit: object) -> Unit:
-    if not isinstance(unit, str):
+    if not isinstance(unit, str) or not unit.strip():
         raise UnitError(
-            f"variable {shown(name)} has {unit!r} for a unit, which is no text",
-            usually="a value was passed where its unit belongs; no unit is written '1'.",
+            f"variable {shown(name)} has {unit!r} for a unit, which is no unit's text",
+            usually="a value was passed where its unit belongs, or there is none, which is written '1'.",
             paste=f'{{"{name}": "1"}}',
             read=READ,
         )

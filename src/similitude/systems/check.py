@@ -21,7 +21,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from similitude.dimensional.base_advice import advise_base
-from similitude.errors import SimilitudeError
+from similitude.errors import ModelError, SimilitudeError, shown
 from similitude.groups import Groups, reparameterize
 from similitude.model import Model
 from similitude.systems.homogeneity import misfits
@@ -98,7 +98,18 @@ def check_system(system: System | Model, *, base: Sequence[str] | None = None) -
     Returns
     -------
     SystemCheck
+
+    Raises
+    ------
+    ModelError    what was given is neither; a system that fails raises nothing.
     """
+    if not isinstance(system, System | Model):
+        raise ModelError(
+            f"check_system was given {shown(system)}, which is neither a System nor a Model",
+            usually="a name or a module was passed in place of the system in it.",
+            paste="check_system(shipped_system('dc_motor'))",
+            read='docs/systems.md, "A system of your own"',
+        )
     whole = system if isinstance(system, System) else None
     model = system.model if whole else system
     chosen, base_part = _base(model, base or (whole.base if whole else None))
@@ -136,7 +147,12 @@ def _base(model: Model, base: Sequence[str] | None) -> tuple[Sequence[str] | Non
         advice = advise_base(model)
         if base is None:
             base = advice.best
-            return base, Part("base", base is not None, str(advice).splitlines()[0] + " (advised)")
+            said = (
+                str(advice).splitlines()[0]
+                if base is None
+                else f"advised, of {len(advice.ranked)} valid ones"
+            )
+            return base, Part("base", base is not None, said)
         check = advice.check(base)
     except SimilitudeError as error:
         return base, Part("base", False, error.what)
@@ -219,7 +235,7 @@ def _two_forms(system: System, groups: Groups) -> tuple[bool, str]:
     except (ArithmeticError, ValueError) as error:
         return False, f"a run failed: {error}"
     moved = both.dimensional[:, : len(system.model.states)]
-    if not (abs(moved - moved[0]) > 0).any():
+    if system.model.states and not (abs(moved - moved[0]) > 0).any():
         return False, "nothing moves in the run: give it an input or a start away from rest"
     apart = both.disagreement
     said = f"{len(both.t)} samples over {system.duration}, apart by {apart:.1e} at most"

@@ -51,6 +51,13 @@ class System:
     table: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        if isinstance(self.base, str):
+            raise self._error(
+                f"base is the text {shown(self.base)}, not several names",
+                "a base of one name lacks its comma.",
+                f"base=({self.base!r},)",
+            )
+        object.__setattr__(self, "base", tuple(self.base))
         parameters = {q.name for q in self.model.parameters}
         rows = {f"row {name!r} of the table": row for name, row in self.table.items()}
         for what, names, known in (
@@ -86,13 +93,24 @@ class System:
         return ModelError(f"system {self.model.name!r}: {what}", usually=usually, paste=paste, read=READ)
 
     def _number(self, quantity: Quantity, text: str) -> float:
+        return self._read(f"{quantity.name} [{quantity.unit}]", text, quantity.unit)
+
+    def _read(self, what: str, text: str, unit: str) -> float:
+        where = f"system {self.model.name!r}, {what}"
+        if not isinstance(text, str):
+            raise UnitError(
+                f"{where}: the value is {text!r}, which is no text",
+                usually="a bare number was given; a value is text with its unit.",
+                paste=f"'{text} {unit}'",
+                read=READ,
+            )
         try:
-            return parse_quantity(text, expect=quantity.dimension)[0]
+            return parse_quantity(text, expect=parse_unit(unit).dimension)[0]
         except UnitError as error:
             raise UnitError(
-                f"system {self.model.name!r}, {quantity.name} [{quantity.unit}]: {error.what}",
+                f"{where}: {error.what}",
                 usually=error.usually,
-                paste=f"{quantity.name!r}: '1 {quantity.unit}'",
+                paste=f"'1 {unit}'",
                 read=error.read,
             ) from None
 
@@ -104,7 +122,7 @@ class System:
     @property
     def span(self) -> float:
         """Duration of a run [the model's unit of time in SI]."""
-        return parse_quantity(self.duration, expect=parse_unit(self.model.time_unit).dimension)[0]
+        return self._read("duration", self.duration, self.model.time_unit)
 
     def numbers(self, row: str | None = None) -> dict[str, float]:
         """Every parameter in SI, in the model's order.

@@ -150,8 +150,10 @@ def _run(rates, output_map, model, known, x0, t, size) -> NDArray[np.float64]:
     from scipy.integrate import solve_ivp
 
     x = [q.symbol for q in model.states]
-    f = _function(x, [rates[q.name] for q in model.states], known)
     g = _function(x, [output_map[q.name] for q in model.outputs], known)
+    if not x:  # a static model says the same at all times
+        return np.array([g()] * len(t))
+    f = _function(x, [rates[q.name] for q in model.states], known)
     ends, tight = (t[0], t[-1]), {"rtol": RTOL, "atol": 1e-12 * np.abs(size)}
     with np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a run that fails is told by its result
