@@ -4,7 +4,9 @@ import pytest
 import sympy as sp
 
 from similitude.errors import ModelError
+from similitude.model import Model, Quantity
 from similitude.symmetry.equations import equations_of, read_equations
+from similitude.symmetry.scalings import scalings_of
 from similitude.systems.bicycle import BICYCLE
 
 
@@ -57,3 +59,20 @@ def test_faults_have_four_parts(given, says):
 
     assert says in caught.value.what
     assert all((caught.value.usually, caught.value.paste, caught.value.read))
+
+
+def test_time_has_no_part_in_a_formula_without_states():
+    drag = Model(
+        name="drag",
+        states=(),
+        inputs=(),
+        outputs=(Quantity("F", "N"),),
+        parameters=(Quantity("rho", "kg/m^3"), Quantity("V", "m/s"), Quantity("A", "m^2")),
+        rates={},
+        output_map={"F": "rho*V**2*A/2"},
+    )
+    found = scalings_of(equations_of(drag))
+
+    assert found.equations.names == ("rho", "V", "A", "F")
+    assert found.count == 3
+    assert found.verify()

@@ -168,7 +168,8 @@ def _residual(left: sp.Expr) -> float:
 
 def _matrix(model: Model, equations: Equations) -> DimensionMatrix:
     """Dimensions of time and of every quantity, as one table."""
-    units = {equations.time: model.time_unit} | {q.name: q.unit for q in model.quantities}
+    units = {equations.time: model.time_unit} if equations.time in equations.names else {}
+    units |= {q.name: q.unit for q in model.quantities}
     return dimension_matrix(units, angle=False)
 
 

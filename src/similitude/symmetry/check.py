@@ -79,7 +79,7 @@ def _scaled(equations: Equations, weights: Sequence[Mapping[str, int]]) -> float
         there = run(tape, field, {n: np.array([x * factor[n]], dtype=object) for n, x in point.items()})
         worst = 0.0
         for side, name, a, b in zip(sides, left, here, there, strict=True):
-            by = factor[name] / (factor[time] if side.endswith("/dt") else 1)
+            by = factor[name] / (factor[time] if side.endswith("/dt") else mpmath.mpf(1))
             worst = max(worst, _deviation(a[0] * by, b[0]))
         return worst
 

@@ -42,8 +42,10 @@ class Equations:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Every name that may be scaled: time, states, signals, parameters, results."""
-        return (self.time, *self.states, *self.signals, *self.parameters, *self.results)
+        """Every name that may be scaled: time where it has a part, states, signals, parameters, results."""
+        symbols = {s.name for e in self.relations.values() for s in e.free_symbols}
+        time = (self.time,) if self.states or self.time in symbols else ()
+        return (*time, *self.states, *self.signals, *self.parameters, *self.results)
 
 
 def read_equations(

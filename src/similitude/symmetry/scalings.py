@@ -159,7 +159,7 @@ def _weights(equations: Equations) -> list[list[int]]:
     relations = Relations()
     for name, rate in equations.rates.items():
         if rate != 0:
-            relations.keep(symbols[0] * rate / sp.Symbol(name, real=True))
+            relations.keep(sp.Symbol(equations.time, real=True) * rate / sp.Symbol(name, real=True))
     for name, value in equations.relations.items():
         if value != 0:
             relations.keep(value / sp.Symbol(name, real=True))
