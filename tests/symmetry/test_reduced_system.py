@@ -8,6 +8,7 @@ import sympy as sp
 from similitude.symmetry.equations import equations_of
 from similitude.symmetry.scalings import scaling_symmetries, scalings_of
 from similitude.systems.bicycle import BICYCLE, bicycle_groups
+from similitude.systems.shipped import shipped_system
 
 x, y, t, pi1 = sp.symbols("x y t pi1", real=True)
 
@@ -81,3 +82,9 @@ def test_restoring_is_the_inverse_of_reducing(rates):
 
     for state in found.reduced.rates:
         assert sp.simplify(found.reduced.restore(state) - found.equations.rates[state]) == 0
+
+
+def test_a_preferred_base_is_taken_even_with_fractional_powers():
+    crane = shipped_system("overhead_crane").model
+
+    assert scalings_of(equations_of(crane), prefer=("M", "L", "g")).base == ("M", "L", "g")

@@ -19,7 +19,7 @@ import sympy as sp
 from similitude.dimensional.base_advice import BaseAdvice, advise_base
 from similitude.dimensional.matrix import DimensionMatrix, dimension_matrix
 from similitude.dimensional.pi_groups import pi_groups
-from similitude.invariance.invariances import invariances
+from similitude.invariance.invariances import Invariances, invariances
 from similitude.model import Model
 from similitude.rewriting.equivalence import Equivalence, prove_equivalence
 from similitude.rewriting.rewritten import Rewritten, rewrite
@@ -121,7 +121,7 @@ def analyze_model(
         base, base_origin = advice.best, "advised"
         why = "" if base is not None else _no_base(advice)
     rewritten = None if base is None else rewrite(model, base=base)
-    scalings = scalings_of(equations)
+    scalings = scalings_of(equations, prefer=base or ())
     return Analysis(
         model=model,
         equations=equations,
@@ -144,10 +144,10 @@ def analyze_model(
 
 
 def _invariances(model: Model) -> tuple[CheckedRow, ...]:
-    """The rows of every output's time response, proven in symbols."""
+    """The rows of every output, over time where there are states, proven in symbols."""
     checked = []
     for output in model.output_map:
-        found = invariances(model, output)
+        found = _of_output(model, output)
         left = found.verify()
         checked += [
             CheckedRow(output, row.dimension, row.coefficients, row.rhs, _residual(left[row.dimension]))
@@ -158,7 +158,11 @@ def _invariances(model: Model) -> tuple[CheckedRow, ...]:
 
 def _rows_left(model: Model) -> int:
     """Rows that are not empty, over all outputs."""
-    return sum(not row.is_empty for output in model.output_map for row in invariances(model, output).rows)
+    return sum(not row.is_empty for output in model.output_map for row in _of_output(model, output).rows)
+
+
+def _of_output(model: Model, output: str) -> Invariances:
+    return invariances(model, output, response="time" if model.states else "steady_state")
 
 
 def _residual(left: sp.Expr) -> float:

@@ -105,7 +105,7 @@ def _invariances(found: Analysis) -> Html:
 def _row(row: CheckedRow) -> Html:
     parts = []
     for i, (name, c) in enumerate(row.coefficients.items()):
-        sign = ("<mo>-</mo>" if c < 0 else "") if i == 0 else f"<mo>{'-' if c < 0 else '+'}</mo>"
+        sign = ("<mo>−</mo>" if c < 0 else "") if i == 0 else f"<mo>{'−' if c < 0 else '+'}</mo>"
         size = abs(Fraction(c))
         number = "" if size == 1 else f"<mn>{size}</mn>"
         parts.append(f"{sign}{number}<msub><mi>S</mi>{_inside(name)}</msub>")

@@ -125,8 +125,13 @@ def scaling_symmetries(
     return scalings_of(read_equations(rates, parameters, signals=signals, time=time))
 
 
-def scalings_of(equations: Equations) -> Scalings:
+def scalings_of(equations: Equations, *, prefer: Sequence[str] = ()) -> Scalings:
     """The scaling symmetries of equations, those of a Model included.
+
+    Parameters
+    ----------
+    equations : Equations
+    prefer : names that the base takes before all others.
 
     Raises
     ------
@@ -135,7 +140,7 @@ def scalings_of(equations: Equations) -> Scalings:
     names = equations.names
     matrix = _weights(equations)
     place = {name: j for j, name in enumerate(names)}
-    preference = [_preference(equations, name) for name in names]
+    preference = [-1 if name in prefer else _preference(equations, name) for name in names]
     columns = choose_base(matrix, preference) if matrix else []
     powers = exponents(matrix, columns)
     base = [names[j] for j in columns]
