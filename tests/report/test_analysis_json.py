@@ -1,6 +1,8 @@
 """The record of an analysis keeps its keys, and its formulas are read back to what they were."""
 
 import json
+import math
+from dataclasses import replace
 from fractions import Fraction
 
 import sympy as sp
@@ -40,6 +42,13 @@ def test_rewritten_rates_are_read_back():
 
     for name, text in rewritten["rates"].items():
         assert sp.expand(parse_expression(text, names) - found.rewritten.groups.rates[name]) == 0
+
+
+def test_a_row_that_does_not_hold_has_no_number():
+    found = analysed("bicycle")
+    broken = replace(found, invariances=(replace(found.invariances[0], residual=math.inf),))
+
+    assert json.loads(analysis_line(broken))["invariances"][0]["residual"] is None
 
 
 def test_what_cannot_be_rewritten_says_why():

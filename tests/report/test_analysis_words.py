@@ -1,5 +1,6 @@
 """Sentences that count what was found."""
 
+import math
 from dataclasses import replace
 
 from similitude.report.analysis_words import (
@@ -46,6 +47,9 @@ def test_what_outputs_tell_in_one_sentence():
         "two of them not a product of powers."
     )
     assert seen_words(analysed("michaelis_menten").seen) == "Output p tells all four parameters."
+    assert seen_words(replace(found.seen, parameters=("k",), unseen=())) == (
+        "Output r with U known tells the one parameter."
+    )
     assert seen_words(replace(found.seen, outputs=())).startswith("No output with U known")
 
 
@@ -58,6 +62,7 @@ def test_rows_are_empty_only_after_a_rewrite():
     assert not rows_are_empty(decay())
     assert residual_words(analysed("bicycle").invariances[0]) == "0, proven"
     assert residual_words(replace(analysed("bicycle").invariances[0], residual=2e-50)) == "2.0e-50"
+    assert residual_words(replace(analysed("bicycle").invariances[0], residual=math.inf)) == "does not hold"
 
 
 def test_a_rewritten_model_is_said_to_be_the_same_and_what_it_leaves_out():

@@ -24,7 +24,7 @@ x, pi1, delta, mu = sp.symbols("x pi1 delta mu", real=True)
         ("pi3", ("π", "3")), ("pi", ("pi", "")), ("Caf", ("C", "af")), ("k_on", ("k", "on")),
         ("delta", ("δ", "")), ("mu", ("mu", "")), ("UA", ("UA", "")), ("k1", ("k", "1")),
         ("Iz", ("I", "z")), ("theta_2", ("θ", "2")),
-        ("omega", ("ω", "")), ("sigma", ("σ", "")), ("x", ("x", "")),
+        ("t_", ("t_", "")), ("_x", ("_x", "")), ("omega", ("ω", "")), ("sigma", ("σ", "")), ("x", ("x", "")),
     ],
 )  # fmt: skip
 def test_a_letter_and_its_index(name, parts):

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from similitude.dimensional.base_check import product_text
-from similitude.report.summary import json_line
+from similitude.report.summary import json_line, plain_values
 
 if TYPE_CHECKING:
     from similitude.analysis.analysis import Analysis
@@ -36,7 +36,7 @@ def analysis_record(found: Analysis) -> dict[str, Any]:
     -------
     dict    only dict, list, str, int, float, bool and None
     """
-    return {
+    record = {
         "schema": SCHEMA,
         "system": found.model.name,
         "source": found.model.source,
@@ -77,6 +77,7 @@ def analysis_record(found: Analysis) -> dict[str, Any]:
             "signals_held": None if found.steady is None else _seen(found.steady),
         },
     }
+    return plain_values(record)
 
 
 def analysis_line(found: Analysis) -> str:

@@ -5,6 +5,7 @@ Invariant: every number in a sentence is counted from the Analysis; nothing is r
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -37,6 +38,8 @@ def rewrite_words(found: Analysis) -> tuple[str, ...]:
 
 def residual_words(row: CheckedRow) -> str:
     """The residual of an invariance: proven, or how large."""
+    if math.isinf(row.residual):
+        return "does not hold"
     return "0, proven" if row.residual == 0 else f"{row.residual:.1e}"
 
 
@@ -97,6 +100,8 @@ def seen_words(seen: Identifiability, held: tuple[str, ...] = ()) -> str:
     numbers = (
         f"{counted(seen.determined, 'number')} about {counted(len(seen.parameters), 'unknown parameter')}"
     )
+    if seen.is_complete and len(seen.parameters) == 1:
+        return f"{told} tells the one parameter."
     if seen.is_complete:
         return f"{told} tells all {counted(len(seen.parameters), 'parameter')}." if seen.parameters else (
             f"{told}: there is no parameter to tell."

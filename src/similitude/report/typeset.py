@@ -43,6 +43,8 @@ def parts_of(name: str) -> tuple[str, str]:
     (('π', '3'), ('C', 'af'), ('k', 'on'), ('δ', ''))
     """
     head, _, index = name.partition("_")
+    if not head or not index:
+        head, index = name, ""
     if not index and (found := re.fullmatch(r"([^\d]+)(\d+)", name)):
         head, index = found.groups()
     if not index and re.fullmatch(r"[A-Z]\w*[a-z]\w*", name):
