@@ -27,7 +27,6 @@ from similitude.errors import ModelError, shown
 
 if TYPE_CHECKING:
     from similitude.model import Model
-    from similitude.systems.system import System
 
 READ = 'docs/groups.md, "Choosing a base"'
 
@@ -98,7 +97,7 @@ class BaseAdvice:
 
 
 def advise_base(
-    system: Mapping[str, str] | Model | System,
+    system: Mapping[str, str] | Model,
     *,
     angle: bool = False,
     spread: Mapping[str, float] | None = None,
@@ -110,7 +109,7 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model or System, whose base is made of parameters (those
+    system : name -> unit of every variable; or a Model or a System's, whose base is made of parameters (those
         that no constraint gives) and has to measure its states, inputs, outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
