@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice, product
+from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
 
 from similitude.dimensional.base_check import BaseCheck, check_base, independent_sets, lonely
@@ -63,6 +63,13 @@ class BaseAdvice:
         ModelError    the base names a variable twice, or one that is not there.
         """
         return check_base(self.matrix, base_names(self.matrix, base), self.candidates)
+
+    def rejected(self) -> Iterator[BaseCheck]:
+        """Sets of as many candidates as a base has that are none, each with its reason, one by one."""
+        for base in combinations(self.candidates, self.matrix.rank):
+            check = check_base(self.matrix, base, self.candidates)
+            if not check.valid:
+                yield check
 
     def __str__(self) -> str:
         lines = [self._headline()]
