@@ -161,17 +161,21 @@ class _Linear:
 
     @property
     def is_plain(self) -> bool:
+        """Linear, and small enough for determinants in symbols."""
         return self.parts.is_linear and self.n <= MOST_STATES
 
     def polynomials(self, s: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+        """Numerator and characteristic polynomial."""
         return transfer_polynomials(self.parts, 0, 0, s)
 
     def polynomial_proof(self, N: sp.Expr, M: sp.Expr) -> tuple[Certificate, ...]:
+        """Both polynomials as certificates: where each is homogeneous, so are their ratio and their roots."""
         below = self.eq.time**-self.n
         numerator = Certificate("numerator", N, self.gain * below)
         return numerator, Certificate("characteristic polynomial", M, below)
 
     def numbers(self, values: Values) -> _Numbers:
+        """The matrices at values of the arguments, with slopes."""
         p = self.parts
         whole = p.A.row_join(p.B).col_join(p.C.row_join(p.D))
         symbols = [sp.Symbol(n, real=True) for n in self.measures]

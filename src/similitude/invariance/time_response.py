@@ -49,7 +49,7 @@ def time_response(
     """
     model, t = eq.model, sp.Symbol(eq.free("t"), real=True)
     own = {q.name: q.measure(angle=eq.angle) for q in quantities}
-    driven = _driven(eq, drive, own, t)
+    driven = driven_inputs(eq, drive, own, t)
     starts = [q.name for q in model.states] if initial is None and not model.inputs else list(initial or ())
     _expect(starts, [q.name for q in model.states], "initial state")
     start = {name: sp.Symbol(eq.free(f"{name}0"), real=True) for name in starts}
@@ -85,9 +85,15 @@ def time_response(
     )
 
 
-def _driven(
+def driven_inputs(
     eq: Equations, drive: Mapping[str, str | sp.Expr], own: Mapping[str, Measure], t: sp.Symbol
 ) -> dict[sp.Symbol, sp.Expr]:
+    """Input symbols and the formulas that drive them, read and checked for their dimensions.
+
+    Raises
+    ------
+    ModelError    no such input, a name nobody declared, or a drive of another dimension.
+    """
     _expect(drive, [q.name for q in eq.model.inputs], "driven input")
     parameters = {q.name: eq.measures[q.name] for q in eq.model.parameters}
     measures = parameters | dict(own) | {t.name: eq.time}

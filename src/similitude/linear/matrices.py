@@ -59,6 +59,36 @@ def linear_parts(model: Model, *, outputs: Sequence[sp.Expr] | None = None) -> L
     return LinearParts(*parts, is_linear=not left & {*x, *u})
 
 
+def transfer_function(
+    model: Model, *, output: str | None = None, input: str | None = None, s: sp.Symbol | None = None
+) -> sp.Expr:
+    """G(s) from one input to one output, in symbols, as numerator over characteristic polynomial.
+
+    Parameters
+    ----------
+    model : linear, or not; then G holds states and inputs of the operating point.
+    output, input : names; the first where they are left out.
+    s : the Laplace variable; ``Symbol("s")`` where it is left out.
+
+    Raises
+    ------
+    ModelError    no output or input of that name.
+    """
+    names = [q.name for q in model.outputs], [q.name for q in model.inputs]
+    places = []
+    for kind, wanted, known in zip(("output", "input"), (output, input), names, strict=True):
+        if not known or wanted not in (None, *known):
+            raise ModelError(
+                f"model {model.name!r} has no {kind} {wanted or ''} (there are {', '.join(known) or 'none'})",
+                usually="The name was misspelt, or the model has none.",
+                paste=f"transfer_function(model, {kind}={(known or ['u'])[0]!r})",
+                read='docs/model.md, "Linear models"',
+            )
+        places.append(0 if wanted is None else known.index(wanted))
+    N, M = transfer_polynomials(linear_parts(model), *places, s or sp.Symbol("s"))
+    return N / M
+
+
 def transfer_polynomials(
     parts: LinearParts, output: int, given: int, s: sp.Symbol
 ) -> tuple[sp.Expr, sp.Expr]:
