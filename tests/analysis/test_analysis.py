@@ -67,8 +67,10 @@ def test_units_are_scalings_of_every_shipped_system(name):
     for group in found.groups:  # a Pi group is left alone by the units' scalings
         column = [sum(p * found.matrix.column(n)[i] for n, p in group.exponents.items()) for i in range(7)]
         assert not any(column)
-    for row in found.beyond:
-        assert not set(row) & set(found.base)
+    names = found.matrix.names
+    units = [list(map(int, row)) for row in zip(*found.matrix.columns, strict=True) if any(row)]
+    beyond = [[row.get(n, 0) for n in names] for row in found.beyond]
+    assert sp.Matrix([*units, *beyond]).rank() == found.scalings.count
 
 
 def test_scalings_hold_for_every_dimension_of_the_matrix(bicycle):
@@ -99,6 +101,20 @@ def test_a_base_is_advised_where_none_is_given():
 def test_a_base_that_cannot_measure_is_refused():
     with pytest.raises(ModelError, match="cannot measure"):
         analyze_model(BICYCLE, base=["m", "L"])
+
+
+def test_what_enters_as_a_product_is_said_in_two_names():
+    block = Model(
+        name="block",
+        states=(Quantity("x", "m"), Quantity("v", "m/s")),
+        inputs=(Quantity("F", "N"),),
+        outputs=(Quantity("P", "W"),),
+        parameters=(Quantity("m", "kg"), Quantity("mu", "1"), Quantity("g", "m/s^2"), Quantity("c", "kg/m")),
+        rates={"x": "v", "v": "F/m - mu*g*sign(v) - c/m*v*abs(v)"},
+        output_map={"P": "F*v"},
+    )
+
+    assert analyze_model(block).beyond == ({"mu": 1, "g": -1},)
 
 
 def test_known_values_are_known():

@@ -93,6 +93,16 @@ def test_an_invalid_base_is_explained():
     assert check == check_base(advise_base(PIPE).matrix, ["L", "D", "V"])
 
 
+def test_every_set_is_either_listed_or_rejected_with_a_reason():
+    advice = advise_base(PIPE)
+    rejected = list(advice.rejected())
+
+    assert len(rejected) + len(advice.ranked) == 35  # three of seven
+    for check in rejected:
+        assert "has no dimension" in check.reason or "does not reach" in check.reason
+        assert all(advice.check([*check.kept, *more]).valid for more in check.completions)
+
+
 @pytest.mark.parametrize("variables", [{}, {"a": "1"}, {"a": "m"}, {"T": "K", "l": "m", "d": "m"}])
 def test_any_variables_can_be_asked_about(variables):
     advice = advise_base(variables)

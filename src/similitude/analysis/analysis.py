@@ -26,8 +26,9 @@ from similitude.rewriting.rewritten import Rewritten, rewrite
 from similitude.symmetry.check import ScalingCheck
 from similitude.symmetry.equations import Equations, equations_of
 from similitude.symmetry.identifiability import Identifiability, identifiable
-from similitude.symmetry.lattice import canonical, kernel
+from similitude.symmetry.lattice import canonical, integers, kernel
 from similitude.symmetry.scalings import Scalings, scalings_of
+from similitude.symmetry.short_rows import shortened
 
 
 @dataclass(frozen=True)
@@ -60,8 +61,8 @@ class Analysis:
 
     ``base`` is empty and ``rewritten`` None where no parameters can measure everything; ``why`` then says so,
     and ``groups`` are those of all variables. ``rows_after``: how many rows of the rewritten model couple any
-    sensitivities; none, as it has no dimension left. ``beyond``: scalings that are no units, with the base
-    held. ``steady``: what the outputs tell while signals among the parameters are held, None where there
+    sensitivities; none, as it has no dimension left. ``beyond``: scalings that are no units.
+    ``steady``: what the outputs tell while signals among the parameters are held, None where there
     are none.
     """
 
@@ -207,14 +208,17 @@ def _words(model: Model, parameter: str) -> str:
 def _beyond(
     scalings: Scalings, matrix: DimensionMatrix, base: Sequence[str] | None
 ) -> tuple[Mapping[str, int], ...]:
-    """Scalings that hold the units' scales, so that units have no part in them."""
+    """Scalings that are independent of the units' and of one another, each with few names."""
     names = scalings.equations.names
     rows = [[row.get(name, 0) for name in names] for row in scalings.weights]
     held = list(base) if base is not None else [matrix.names[place] for place in matrix.leading[0]]
     at_base = [[row[names.index(name)] for row in rows] for name in held]
-    mixes = kernel(at_base, len(rows))
+    mixes = kernel(at_base, len(rows))  # with the base held the units have no part in them
     free = [
         [sum(c * row[j] for c, row in zip(mix, rows, strict=True)) for j in range(len(names))]
         for mix in mixes
     ]
-    return tuple({n: w for n, w in zip(names, row, strict=True) if w} for row in canonical(free, len(names)))
+    columns = [matrix.column(name) for name in names]
+    units = [integers(row) for row in zip(*columns, strict=True) if any(row)]
+    short = shortened(canonical(free, len(names)), units)
+    return tuple({n: w for n, w in zip(names, row, strict=True) if w} for row in short)

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice, product
+from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
 
 from similitude.dimensional.base_check import BaseCheck, check_base, independent_sets, lonely
@@ -27,7 +27,6 @@ from similitude.errors import ModelError, shown
 
 if TYPE_CHECKING:
     from similitude.model import Model
-    from similitude.systems.system import System
 
 READ = 'docs/groups.md, "Choosing a base"'
 
@@ -65,6 +64,13 @@ class BaseAdvice:
         """
         return check_base(self.matrix, base_names(self.matrix, base), self.candidates)
 
+    def rejected(self) -> Iterator[BaseCheck]:
+        """Sets of as many candidates as a base has that are none, each with its reason, one by one."""
+        for base in combinations(self.candidates, self.matrix.rank):
+            check = check_base(self.matrix, base, self.candidates)
+            if not check.valid:
+                yield check
+
     def __str__(self) -> str:
         lines = [self._headline()]
         width = max((len(", ".join(r.base)) for r in self.ranked[:10]), default=0)
@@ -98,7 +104,7 @@ class BaseAdvice:
 
 
 def advise_base(
-    system: Mapping[str, str] | Model | System,
+    system: Mapping[str, str] | Model,
     *,
     angle: bool = False,
     spread: Mapping[str, float] | None = None,
@@ -110,7 +116,7 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model or System, whose base is made of parameters (those
+    system : name -> unit of every variable; or a Model or a System's, whose base is made of parameters (those
         that no constraint gives) and has to measure its states, inputs, outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
