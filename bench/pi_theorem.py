@@ -6,7 +6,7 @@ the null space before it is timed (`tests/bench`).
 pint, buckinghampy, nodimo    as they are published; nodimo is given the base, it works by bases
 SymPy                         `Matrix.nullspace` of the dimension matrix, which PyNondimensionalizer calls on
                               a file; `DomainMatrix.nullspace` is the faster of its two
-PyDASA                        is left out: it takes ten variables at most
+PyDASA                        is left out: it takes ten inputs at most
 
 Invariant: the cases are fixed by a seed, and every variable's dimension is one that physics has.
 """

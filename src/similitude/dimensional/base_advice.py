@@ -116,8 +116,9 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model or a System's, whose base is made of parameters (those
-        that no constraint gives) and has to measure its states, inputs, outputs and time as well.
+    system : name -> unit of every variable; or a Model, or a System for the sake of its model. The base
+        is then made of parameters (those that no constraint gives) and has to measure states, inputs,
+        outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
         that holds still is preferred. A variable not named here comes after those that are.
