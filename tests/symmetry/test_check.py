@@ -54,3 +54,7 @@ def test_a_term_too_small_for_floats_still_counts():
     powers = "(" + " + ".join(f"a{i}*x" for i in range(30)) + ")**20"  # about 1e30 times the other term
 
     assert scaling_symmetries({"x": f"{powers} - b*x"}, [*(f"a{i}" for i in range(30)), "b"]).verify()
+
+
+def test_a_rate_that_cancels_to_nothing_is_nothing():
+    assert scaling_symmetries({"x": "x*(y + z) - x*y - x*z", "y": "-k*y", "z": "y"}, ["k"]).verify()

@@ -24,6 +24,7 @@ from similitude.symmetry.row_space import reduced
 from similitude.symmetry.tape import Tape, record
 
 EXACT = 1e-40  # relative; rounding at DIGITS digits is near 1e-58
+ZERO = 1e-45  # what cancels at values near one is below it
 POINTS = 3
 SPARE = 4  # points more than a rate has variables, for the rank
 FLAT = 1e-9  # singular values below this share of the largest are zero
@@ -107,7 +108,7 @@ def _restored(equations: Equations, reduced: ReducedSystem) -> float:
 
 def _deviation(a, b) -> float:
     size = max(abs(a), abs(b))
-    return float(abs(a - b) / size) if size else 0.0
+    return float(abs(a - b) / size) if size > ZERO else 0.0
 
 
 def _at_points(once) -> list[float]:

@@ -6,7 +6,8 @@ is `Symbol(name, real=True)`, as in a Model.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from numbers import Real
 
@@ -63,6 +64,12 @@ def read_equations(
                 f"{argument} is the text {shown(given)}, not a list of names",
                 "Names were written in one text.",
                 f"{argument}={given.replace(',', ' ').split()!r}",
+            )
+        if not isinstance(given, Iterable):
+            raise _fault(
+                f"{argument} is {shown(given)}, not a list of names",
+                "There are none, and an empty list was meant.",
+                f"{argument}=[]",
             )
     if not isinstance(rates, Mapping) or not rates:
         raise _fault(
@@ -133,7 +140,7 @@ def _check_names(roles: list[tuple[str, Sequence[str]]]) -> None:
 def _read(rate: object, names: Sequence[str], what: str) -> sp.Expr:
     if isinstance(rate, str):
         return parse_expression(rate, names, what=what)
-    if isinstance(rate, Real) and not isinstance(rate, bool):
+    if isinstance(rate, Real) and not isinstance(rate, bool) and math.isfinite(rate):
         return sp.Rational(str(rate))
     if not isinstance(rate, sp.Expr):
         raise no_text(what, rate)
