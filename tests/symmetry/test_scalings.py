@@ -76,6 +76,9 @@ EXAMPLES = {
     "rock-paper-scissors without parameters": (
         {"x": "x*(y - z)", "y": "y*(z - x)", "z": "z*(x - y)"}, "", 1, ["t*x", "y/x", "z/x"],
     ),
+    "Gompertz's growth, with two logarithms": (
+        {"x": "r*x*(log(K) - log(x))"}, "r K", 2, ["t*r", "x/K"],
+    ),
     "names of SymPy and of Python": (
         {"E": "lambda*S - gamma*E", "S": "-lambda*S*I*Q/N"}, "lambda gamma I Q N", 5,
         ["t*lambda*S/E", "t*gamma", "t*lambda*I*Q/N"],

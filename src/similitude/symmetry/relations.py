@@ -10,6 +10,7 @@ computed in integers modulo a prime and read back as fractions: no expansion, no
 What is not rational is first made so:
 
     sin, exp, tanh, ... (a)    a must not change; the value is a constant
+    log(a)                     a value to which a scaling adds the weight of a
     a^(1/d)                    z with z^d scaling as a
     a^n, n not a number        n must not change; z whose weight is n times that of a, kept apart
     abs, max, min              z scaling as each argument that is not zero
@@ -46,6 +47,9 @@ class Relations:
     invariant: list[sp.Expr] = field(default_factory=list)
     constants: set[sp.Symbol] = field(default_factory=set)  # values that do not change
     powers: dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]] = field(default_factory=dict)  # z: weight m w(a)
+    logarithms: set[sp.Symbol] = field(
+        default_factory=set
+    )  # to which the weight of theirs in powers is added
     known: dict[sp.Expr, sp.Expr] = field(default_factory=dict)
     spare: list[sp.Symbol] = field(default_factory=list)
 
@@ -75,6 +79,8 @@ class Relations:
         if isinstance(e, sp.sign | sp.atan2):
             self._alike(e.args)
             return self._constant()
+        if isinstance(e, sp.log):
+            return self._logarithm(e.args[0])
         if isinstance(e, sp.Piecewise):
             return self._piecewise(e)
         if isinstance(e, sp.Function):
@@ -113,10 +119,21 @@ class Relations:
         """base^kind, of which only the kind and the weight of the base are known."""
         key = sp.Pow(base, kind, evaluate=False)
         if key not in self.known:
-            whole = base if base.is_Symbol and base not in self.constants else self._alike((base,))
+            whole = self._whole(base)
             self.known[key] = self._new()
             self.powers[self.known[key]] = (whole, kind)
         return self.known[key]
+
+    def _logarithm(self, base: sp.Expr) -> sp.Expr:
+        whole = self._whole(base)
+        value = self._new()
+        self.powers[value] = (whole, UNIT)
+        self.logarithms.add(value)
+        return value
+
+    def _whole(self, base: sp.Expr) -> sp.Symbol:
+        """A symbol that scales as an expression does."""
+        return base if base.is_Symbol else self._alike((base,))
 
     def _root(self, base: sp.Expr, degree: int) -> sp.Expr:
         key = sp.Pow(base, sp.Rational(1, degree), evaluate=False)
@@ -162,13 +179,17 @@ def constraint_rows(relations: Relations, variables: Sequence[sp.Symbol]) -> lis
         scaled = [s for s in symbols if s not in relations.constants]
         if not scaled:
             continue
-        for small in _asked(function, scaled, symbols, number):
+        for small in _asked(function, scaled, symbols, number, relations.logarithms):
             rows += _split(dict(zip(scaled, small, strict=True)), relations, place)
     return rows
 
 
 def _asked(
-    function: sp.Expr, scaled: list[sp.Symbol], symbols: list[sp.Symbol], seed: int
+    function: sp.Expr,
+    scaled: list[sp.Symbol],
+    symbols: list[sp.Symbol],
+    seed: int,
+    logarithms: set[sp.Symbol],
 ) -> list[list[int]]:
     """The reduced rows of (1) for one function, over the symbols that scale."""
     tape, modular = record([function]), Modular()
@@ -179,8 +200,8 @@ def _asked(
         for symbol in symbols:
             value = np.zeros((points, 1 + len(scaled)), dtype=np.int64)
             value[:, 0] = modular.draw(rng, points)
-            if symbol in scaled:  # the slope along ln z is z
-                value[:, 1 + scaled.index(symbol)] = value[:, 0]
+            if symbol in scaled:  # the slope along ln z is z, and of ln z itself it is one
+                value[:, 1 + scaled.index(symbol)] = 1 if symbol in logarithms else value[:, 0]
             values[symbol.name] = value
         try:
             gradient = run(tape, modular, values)[0][:, 1:]
