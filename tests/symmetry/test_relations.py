@@ -1,15 +1,11 @@
 """What an equation asks of a scaling, held against expanded monomials and known functions."""
 
-from fractions import Fraction
-
-import numpy as np
 import pytest
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.arithmetic import PRIME
-from similitude.symmetry.lattice import canonical, integers, kernel, saturated
-from similitude.symmetry.relations import Relations, constraint_rows, eliminate, fraction_of
+from similitude.symmetry.lattice import canonical, kernel, saturated
+from similitude.symmetry.relations import Relations, constraint_rows
 
 x, y, z, n = sp.symbols("x y z n", real=True)
 VARIABLES = (x, y, z, n)
@@ -93,18 +89,3 @@ def test_what_has_no_scaling_is_named():
         weights(1 / (x * (y + z) - x * y - x * z))
     with pytest.raises(ModelError, match="zoo"):
         weights(x / sp.Integer(0))
-
-
-@pytest.mark.parametrize("value", [Fraction(0), Fraction(1), Fraction(-3, 7), Fraction(12345, 678)])
-def test_a_fraction_is_read_back_from_its_residue(value):
-    residue = value.numerator * pow(value.denominator, -1, PRIME) % PRIME
-
-    assert fraction_of(residue) == value
-
-
-def test_elimination_keeps_the_row_space():
-    rows = np.array([[2, 4, 6], [1, 2, 3], [0, 5, 5]])
-    reduced, pivots = eliminate(rows)
-
-    assert pivots == [0, 1]
-    assert [integers([fraction_of(int(x)) for x in row]) for row in reduced] == [[1, 0, 1], [0, 1, 1]]

@@ -31,8 +31,9 @@ import numpy as np
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.arithmetic import PRIME, BadPoint, Modular, run
+from similitude.symmetry.arithmetic import BadPoint, Modular, run
 from similitude.symmetry.lattice import integers
+from similitude.symmetry.residues import eliminate, fraction_of
 from similitude.symmetry.tape import record
 
 SPARE = 3  # points more than a function has variables
@@ -232,34 +233,3 @@ def rational_rows(matrix: np.ndarray) -> list[list[Fraction]]:
     """The row space of residues (m, n) as reduced rows of fractions."""
     reduced = eliminate(matrix)[0]
     return [[fraction_of(int(x)) for x in row] for row in reduced]
-
-
-def eliminate(matrix: np.ndarray) -> tuple[np.ndarray, list[int]]:
-    """Reduced row echelon form modulo PRIME of residues (m, n), zero rows dropped, and its pivots."""
-    rows = np.array(matrix, dtype=np.int64) % PRIME
-    pivots: list[int] = []
-    for j in range(rows.shape[1]):
-        k = len(pivots)
-        alive = np.flatnonzero(rows[k:, j])
-        if not alive.size:
-            continue
-        rows[[k, k + alive[0]]] = rows[[k + alive[0], k]]
-        rows[k] = rows[k] * pow(int(rows[k, j]), -1, PRIME) % PRIME
-        factors = rows[:, j].copy()
-        factors[k] = 0
-        touched = np.flatnonzero(factors)
-        rows[touched] = (rows[touched] - factors[touched, None] * rows[k] % PRIME) % PRIME
-        pivots.append(j)
-        if len(pivots) == len(rows):
-            break
-    return rows[: len(pivots)], pivots
-
-
-def fraction_of(residue: int) -> Fraction:
-    """The fraction of small numerator and denominator with this residue (Wang's reconstruction)."""
-    bound = int((PRIME // 2) ** 0.5)
-    (low, high), (s, t) = (PRIME, residue % PRIME), (0, 1)
-    while high > bound:
-        quotient = low // high
-        low, high, s, t = high, low - quotient * high, t, s - quotient * t
-    return Fraction(high, t)

@@ -13,7 +13,7 @@ import numpy as np
 
 from similitude.symmetry.arithmetic import PRIME
 from similitude.symmetry.lattice import integers
-from similitude.symmetry.relations import eliminate, fraction_of
+from similitude.symmetry.residues import eliminate, fraction_of
 
 FLAT = mpmath.mpf(10) ** -25
 LARGEST = 10**3  # numerator and denominator of an exponent
