@@ -29,7 +29,11 @@ def test_the_function_of_the_paper_is_homogeneous_of_order_two():
 
 @pytest.mark.parametrize(
     ("expression", "output", "said"),
-    [("x + x**2", "", "not homogeneous"), ("x", "s", "not homogeneous"), (sp.Symbol("q"), "", "q, which is not")],
+    [
+        ("x + x**2", "", "not homogeneous"),
+        ("x", "s", "not homogeneous"),
+        (sp.Symbol("q"), "", "q, which is not"),
+    ],
 )
 def test_a_function_that_is_not_homogeneous_is_refused(expression, output, said):
     with pytest.raises(ModelError, match=said):

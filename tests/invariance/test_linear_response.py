@@ -73,7 +73,9 @@ def test_what_cancels_from_the_gain_is_no_argument():
 
 
 def integrator() -> Model:
-    return Model("integrator", [Quantity("x", "m")], [Quantity("u", "m/s")], [Quantity("x", "m")], [], {"x": "u"})
+    return Model(
+        "integrator", [Quantity("x", "m")], [Quantity("u", "m/s")], [Quantity("x", "m")], [], {"x": "u"}
+    )
 
 
 def test_a_system_without_a_gain_or_with_too_many_states_is_refused():

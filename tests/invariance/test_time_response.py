@@ -31,7 +31,9 @@ def test_three_of_seven_are_recovered():
     S = rows.sensitivities(SCALE_CAR)
     others = {n: s for n, s in S.items() if n not in ("m", "Iz", "Caf")}
 
-    assert rows.solve_for(["m", "Iz", "Caf"], others) == {n: pytest.approx(S[n], abs=1e-9) for n in ("m", "Iz", "Caf")}
+    assert rows.solve_for(["m", "Iz", "Caf"], others) == {
+        n: pytest.approx(S[n], abs=1e-9) for n in ("m", "Iz", "Caf")
+    }
 
 
 def lag() -> Model:
@@ -51,7 +53,10 @@ def test_a_step_of_a_lag_in_closed_form():
 
 def test_what_a_drive_is_made_of_are_arguments():
     rows = invariances(
-        lag(), drive={"u": "A*sin(w*t)"}, quantities=[Quantity("A", "m"), Quantity("w", "rad/s")], initial=["x"]
+        lag(),
+        drive={"u": "A*sin(w*t)"},
+        quantities=[Quantity("A", "m"), Quantity("w", "rad/s")],
+        initial=["x"],
     )
 
     assert rows.arguments == ("T", "A", "w", "x0", "t")
@@ -61,7 +66,9 @@ def test_what_a_drive_is_made_of_are_arguments():
 
 
 def test_what_nothing_drives_starts_from_its_states():
-    decay = Model("decay", [Quantity("n", "mol")], [], [Quantity("n", "mol")], [Quantity("k", "1/s")], {"n": "-k*n"})
+    decay = Model(
+        "decay", [Quantity("n", "mol")], [], [Quantity("n", "mol")], [Quantity("k", "1/s")], {"n": "-k*n"}
+    )
     rows = invariances(decay)
 
     assert rows.arguments == ("k", "n0", "t")

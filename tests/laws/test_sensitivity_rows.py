@@ -20,9 +20,7 @@ from ..random_models import BASE, models, values_of
 
 CLOSE = 1e-9  # the integrator's 1e-12 of each state's size, over a few steps and a quarter time constant
 PHASES = [Phase.explicit, Phase.reuse, Phase.generate]  # an example takes a second; shrinking, an hour
-LAWS = settings(
-    deadline=None, max_examples=3, phases=PHASES, suppress_health_check=[HealthCheck.too_slow]
-)
+LAWS = settings(deadline=None, max_examples=3, phases=PHASES, suppress_health_check=[HealthCheck.too_slow])
 MANY = settings(LAWS, max_examples=15)
 FOREIGN = {"kg": "lb", "m": "ft", "s": "min"}
 
@@ -35,7 +33,9 @@ def in_foreign_units(model: Model) -> Model:
         unit = " ".join(FOREIGN.get(name, name) + hat + power for name, hat, power in parts)
         return dataclasses.replace(quantity, unit=unit)
 
-    kinds = {k: [foreign(q) for q in getattr(model, k)] for k in ("states", "inputs", "outputs", "parameters")}
+    kinds = {
+        k: [foreign(q) for q in getattr(model, k)] for k in ("states", "inputs", "outputs", "parameters")
+    }
     return dataclasses.replace(model, **kinds)
 
 
