@@ -8,8 +8,9 @@ from similitude.systems.bicycle import BICYCLE
 
 
 @pytest.mark.parametrize(
-    ("output", "name", "unit"), [(None, "r", "1/s"), ("v", "v", "m/s"), ("v/U", "v/U", "-"), ("m*v", "m*v", "kg m/s")]
-)  # fmt: skip
+    ("output", "name", "unit"),
+    [(None, "r", "1/s"), ("v", "v", "m/s"), ("v/U", "v/U", "-"), ("m*v", "m*v", "kg m/s")],
+)
 def test_outputs_states_and_formulas(output, name, unit):
     eq = equations(BICYCLE, output, angle=False)
 

@@ -21,7 +21,8 @@ def test_a_tank_comes_to_rest_at_half_the_square_of_the_speed_over_gravity():
 
     assert rows.value(values) == pytest.approx(2.5**2 / (2 * 9.81))
     assert rows.sensitivities(values) == {
-        "q": pytest.approx(2), "A": pytest.approx(0, abs=1e-12), "a": pytest.approx(-2), "g": pytest.approx(-1)
+        "q": pytest.approx(2), "A": pytest.approx(0, abs=1e-12),
+        "a": pytest.approx(-2), "g": pytest.approx(-1),
     }  # fmt: skip
     assert max(rows.verify(values).values()) < 1e-9
     assert rows.verify() == {"length": 0, "time": 0}

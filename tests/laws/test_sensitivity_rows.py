@@ -1,4 +1,4 @@
-"""Laws of the invariances over random models: D S = d, exactly and in numbers; nothing left after rewriting."""
+"""Laws of invariances over random models: D S = d, exactly and in numbers; after rewriting, nothing."""
 
 import dataclasses
 

@@ -19,6 +19,7 @@ from similitude.errors import ModelError
 from similitude.invariance.compiled import compiled, log_slope
 
 ROUGH, FINE = 1e-6, 1e-12  # of a state's greatest size over the run [-]
+MOST = 100_000  # evaluations of the rates between two times; some seconds
 STIFF = 2000.0  # fastest rate times duration [-] from which the implicit method is taken
 
 
@@ -137,14 +138,25 @@ class _Integrator:
 def _solve(rhs, span, start, at, method: str, rtol: float, atol):
     from scipy.integrate import solve_ivp
 
+    asked = [0]
+
+    def counted(t: float, x: np.ndarray) -> np.ndarray:
+        asked[0] += 1
+        if asked[0] > MOST:
+            raise _lost(t, span[1], f"{MOST} evaluations were not enough")
+        return rhs(t, x)
+
     with np.errstate(all="ignore"):
-        found = solve_ivp(rhs, span, start, method=method, t_eval=at, rtol=rtol, atol=atol)
+        found = solve_ivp(counted, span, start, method=method, t_eval=at, rtol=rtol, atol=atol)
     if not found.success or not np.all(np.isfinite(found.y)):
-        reached = found.t[-1] if len(found.t) else span[0]
-        raise ModelError(
-            f"the trajectory cannot be followed beyond {reached:.4g} of {span[1]:.4g}: {found.message}",
-            usually="A state runs away or leaves where its rate is a number (the root of a negative level).",
-            paste="values = {..., 't': 0.1}   # a shorter time, or other initial states",
-            read='docs/invariances.md, "Time responses"',
-        )
+        raise _lost(found.t[-1] if len(found.t) else span[0], span[1], found.message)
     return found
+
+
+def _lost(reached: float, end: float, why: str) -> ModelError:
+    return ModelError(
+        f"the trajectory cannot be followed beyond {reached:.4g} of {end:.4g}: {why}",
+        usually="A state runs away or leaves where its rate is a number (the root of a negative level).",
+        paste="values = {..., 't': 0.1}   # a shorter time, or other initial states",
+        read='docs/invariances.md, "Time responses"',
+    )
