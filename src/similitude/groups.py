@@ -50,6 +50,18 @@ class Groups:
     output_map: Mapping[str, sp.Expr]
     constraints: Mapping[str, sp.Expr]
 
+    @property
+    def angles(self) -> dict[str, Fraction]:
+        """Group -> power of the radian, for groups that are not dimensionless where the radian counts."""
+        found = {}
+        for group in self.groups:
+            powers = (
+                self.model.quantity(n).measure(angle=True).angle * e for n, e in group.exponents.items()
+            )
+            if power := sum(powers, Fraction(0)):
+                found[group.name] = power
+        return found
+
     def value(self, values: Mapping[str, float]) -> dict[str, float]:
         """Numerical groups [-] from parameter values in SI units."""
         result = {}

@@ -81,10 +81,10 @@ def largest_value(expression: sp.Expr, points: int = 4) -> sp.Float | None:
     found = []
     for _ in range(points):
         at = {s: sp.Rational(draw.randint(100, 999), 313) for s in symbols}
-        terms = [sp.N(term.xreplace(at), DIGITS) for term in sp.Add.make_args(expression)]
-        size = max((abs(term) for term in terms), default=sp.Float(0))
+        terms = [sp.N(term.xreplace(at).doit(), DIGITS) for term in sp.Add.make_args(expression)]
         if not all(term.is_Float or term.is_Integer for term in terms):
             return None
+        size = max((abs(term) for term in terms), default=sp.Float(0))
         found.append(abs(sum(terms)) / size if size else sp.Float(0))
     return max(found, default=sp.Float(0))
 

@@ -85,7 +85,7 @@ class _Integrator:
         rough = _solve(self._plain(values), (0.0, end), start[: self.n], None, "LSODA", ROUGH, 1e-12)
         size = np.abs(rough.y).max(axis=1)
         size = np.where(size > 0, size, size.max() or 1.0)
-        method = "Radau" if self._pace(values, rough) * end > STIFF else "DOP853"
+        method = "LSODA" if self._pace(values, rough) * end > STIFF else "DOP853"
         floor = FINE * (np.concatenate([size, np.repeat(size, self.m)]) if with_slopes else size)
         rhs = self._augmented(values) if with_slopes else self._plain(values)
         found, now = [], start
