@@ -65,4 +65,4 @@ def test_sums_under_roots_and_in_functions_are_rewritten():
     h, q, z = (sp.Symbol(n, real=True) for n in ("h", "q", "pi2"))
 
     found = rewrite(tank, base=("A", "g")).model.rates["h"]
-    assert sp.expand(found - (q - pi1 * sp.sqrt(2 * (h + z)))) == 0
+    assert sp.expand(found - (q - pi1 * sp.sqrt(2) * sp.sqrt(h + z))) == 0
