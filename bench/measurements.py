@@ -20,6 +20,7 @@ from bench.kernels import (
     rls_kernel,
     small_car_config,
 )
+from bench.pi_theorem import SIZES, actions
 from bench.timing import Times, interleave
 from bench.whole_process import processes
 from similitude.program.library import Library, shipped
@@ -35,9 +36,12 @@ class Counts:
     scripted_rounds: int = 15
     log: int = 60_000  # rows of the log: ten minutes at 100 Hz
     processes: int = 9  # rounds; 0 leaves the processes out
+    groups: tuple[int, ...] = SIZES  # numbers of variables whose Pi groups are found
+    groups_rounds: int = 7
 
 
-QUICK = Counts(1000, 3, 60, 2, 0, 0)
+QUICK = Counts(1000, 3, 60, 2, 0, 0, (7, 40), 1)
+LONGEST_MS = {40: 5.0, 200: 15.0}  # for the Pi groups of so many variables
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,8 @@ def measure(counts: Counts) -> tuple[list[Row], list[Bound]]:
     """Take every measurement; about a minute with the standard counts."""
     rows, bounds = compiled(counts)
     rows += scripted(counts)
+    more, limits = dimensional(counts)
+    rows, bounds = rows + more, bounds + limits
     if counts.processes:
         more, bound = whole_process(counts)
         rows += more
@@ -127,6 +133,21 @@ def scripted_actions(samples: int) -> dict[str, Callable[[], object]]:
         "filterpy EKF, the same ten states": lambda: Ekf(CAR["L"], NOISE).run(rows),
         "population, Python twin": lambda: twin.run(config, twin.start(config), rows),
     }
+
+
+def dimensional(counts: Counts) -> tuple[list[Row], list[Bound]]:
+    """Pi groups of a few and of many variables by every tool; bounds in milliseconds, not ratios."""
+    rows, bounds = [], []
+    for size in counts.groups:
+        times = interleave(actions(size), counts.groups_rounds)
+        named = {f"Pi groups of {size}, {tool}": taken for tool, taken in times.items()}
+        rows += [Row(name, "list", 1e6 * t.median, 1e6 * t.least) for name, t in named.items()]
+        for tool in ("similitude", "similitude, base given"):
+            name, most = f"Pi groups of {size}, {tool}", LONGEST_MS.get(size)
+            if most:
+                against = Times((most * 1e-3,))
+                bounds.append(_bound(f"{name} in {most:g} ms", name, "ms", {**named, "ms": against}, 1.0))
+    return rows, bounds
 
 
 def whole_process(counts: Counts) -> tuple[list[Row], Bound]:

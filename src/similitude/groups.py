@@ -95,7 +95,8 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     """
     columns = [model.quantity(name).dimension for name in base]
     scale = {q.name: _monomial(_solve(model, base, columns, q.name, q.dimension)) for q in model.quantities}
-    time = _monomial(_solve(model, base, columns, "time", parse_unit(model.time_unit).dimension))
+    second = parse_unit(model.time_unit if model.states else "1").dimension  # a static model has no time
+    time = _monomial(_solve(model, base, columns, "time", second))
     free = [q for q in model.parameters if q.name not in base]
     groups = tuple(_group(model, base, columns, q, i + 1) for i, q in enumerate(free))
     substitution = {q.symbol: scale[q.name] * g.symbol for q, g in zip(free, groups, strict=True)}

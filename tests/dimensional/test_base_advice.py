@@ -72,7 +72,16 @@ def test_a_model_without_a_base_says_what_it_lacks():
     advice = advise_base(model)
 
     assert advice.best is None and advice.ranked == ()
-    assert "does not reach T [K]" in str(advice) and str(advice).startswith("No base")
+    assert str(advice).startswith("No base: k span s and do not reach T [K]")
+
+
+def test_a_static_model_needs_no_measure_of_time():
+    dT, flow, Ch, Cc = (Quantity(n, u) for n, u in (("dT", "K"), ("q", "W"), ("Ch", "W/K"), ("Cc", "W/K")))
+    nominal = Quantity("d", "K")
+    model = Model("mixer", (), (dT,), (flow,), (Ch, Cc, nominal), {}, {"q": "dT*Ch*Cc/(Ch + Cc)"})
+
+    assert {ranked.base for ranked in advise_base(model).ranked} == {("Ch", "d"), ("Cc", "d")}
+    assert reparameterize(model, base=("Ch", "d")).time_scale == 1
 
 
 def test_an_invalid_base_is_explained():
@@ -82,6 +91,16 @@ def test_an_invalid_base_is_explained():
     assert check.spans == ("m", "s")
     assert check.completions == (("dp",), ("rho",), ("mu",))
     assert check == check_base(advise_base(PIPE).matrix, ["L", "D", "V"])
+
+
+def test_every_set_is_either_listed_or_rejected_with_a_reason():
+    advice = advise_base(PIPE)
+    rejected = list(advice.rejected())
+
+    assert len(rejected) + len(advice.ranked) == 35  # three of seven
+    for check in rejected:
+        assert "has no dimension" in check.reason or "does not reach" in check.reason
+        assert all(advice.check([*check.kept, *more]).valid for more in check.completions)
 
 
 @pytest.mark.parametrize("variables", [{}, {"a": "1"}, {"a": "m"}, {"T": "K", "l": "m", "d": "m"}])

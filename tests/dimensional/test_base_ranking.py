@@ -39,6 +39,11 @@ def test_the_drift_is_the_spread_that_reaches_the_groups():
     )
 
 
+def test_a_spread_is_told_in_per_cent_while_it_is_small_and_as_a_factor_beyond():
+    assert "moves the groups by 14 %" in ranked(PENDULUM, ["l", "g"], spread={"l": 0.2, "g": 0.2}).reason
+    assert "by a factor of 2.72" in ranked(PENDULUM, ["l", "g"], spread={"l": 2.0, "g": 0.0}).reason
+
+
 def test_without_remaining_variables_nothing_drifts():
     assert ranked({"l": "m"}, ["l"], spread={"l": 0.5}).drift == 0.0
 

@@ -21,13 +21,13 @@ def exact(columns, size=4):
     return sp.Matrix(len(columns), size, numbers).T
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(columns())
 def test_the_leading_columns_are_the_pivots_of_the_row_echelon_form(found):
     assert leading(found, 4)[0] == exact(found).rref()[1]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(columns(), st.tuples(*[small] * 4))
 def test_exponents_make_up_the_column_exactly_or_it_lies_outside(found, wanted):
     places, span = leading(found, 4)
@@ -41,7 +41,7 @@ def test_exponents_make_up_the_column_exactly_or_it_lies_outside(found, wanted):
         assert made == list(wanted)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.lists(st.tuples(*[st.integers(-5, 5)] * 4), min_size=4, max_size=4))
 def test_the_operations_of_a_square_base_are_its_adjugate(square):
     span = span_of(square, 4)

@@ -180,6 +180,15 @@ def test_an_angle_counts_as_a_dimension_only_on_demand():
     assert pi_groups({"w": "rpm", "t": "s", "turn": "rev"}, angle=True) == [{"w": 1, "t": 1, "turn": -1}]
 
 
+def test_a_base_may_be_anything_that_holds_names():
+    case = CASES["pipe flow"]
+    expected = pi_groups(case.variables, ["D", "V", "rho"])
+
+    for base in (("D", "V", "rho"), iter(["D", "V", "rho"]), {"D": 0, "V": 0, "rho": 0}):
+        assert pi_groups(case.variables, base) == expected
+    assert list(pi_groups(case.variables, {"rho", "V", "D"})[0]) == ["dp", "V", "rho"]  # variables' order
+
+
 def test_units_may_have_been_read_before():
     drag = {"F": "N", "D": "m", "V": "m/s", "rho": "kg/m^3", "mu": "Pa s"}
     read = {name: parse_unit(unit) for name, unit in drag.items()}
@@ -192,8 +201,10 @@ def test_a_unit_that_cannot_be_read_is_named_with_its_variable():
     with pytest.raises(UnitError, match=r"'V'.*'m//s'") as caught:
         pi_groups({"L": "m", "V": "m//s"})
     assert "docs/units.md" in str(caught.value)
-    with pytest.raises(UnitError, match="'V' has 3 for a unit"):
-        pi_groups({"V": 3})
+    for unit in (3, "", None):
+        with pytest.raises(UnitError, match=f"'V' has {unit!r} for a unit") as caught:
+            pi_groups({"V": unit})
+        assert caught.value.paste == '{"V": "1"}'
 
 
 def test_what_is_no_mapping_of_names_is_refused():

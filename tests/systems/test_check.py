@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 import sympy as sp
 
-from similitude import check_system, shipped_system
+from similitude import System, check_system, shipped_system
+from similitude.errors import ModelError
 from similitude.model import Model, Quantity
 from similitude.systems.dc_motor import DC_MOTOR, SYSTEM, K, L, R, i, u, w
 from similitude.systems.shipped import SHIPPED
@@ -16,7 +17,7 @@ def test_every_shipped_system_passes_and_explains_its_groups(name):
     system = shipped_system(name)
     check = check_system(system)
 
-    assert check.passed, str(check)
+    assert check.passed and check.complete, str(check)
     assert check.base == system.base and bool(check)
     assert set(system.meanings) == {group.parameter for group in system.groups().groups}
     assert system.source and system.model.source
@@ -47,8 +48,14 @@ def test_a_base_that_is_none_is_explained():
     assert "w is no parameter" in failing(SYSTEM, base=("R", "K", "w"))["base"]
 
 
-def test_a_base_variable_that_a_constraint_gives_is_refused():
-    assert "b is given by a constraint" in failing(shipped_system("bicycle"), base=("m", "b", "U"))["base"]
+def test_an_error_in_the_rewriting_shows_at_points_and_in_the_run(monkeypatch):
+    """A group too little in one rate: nothing but the comparison of the two forms can see it."""
+    wrong = SYSTEM.groups()
+    wrong.rates["w"] += sp.Symbol("i", real=True) / 1000
+    monkeypatch.setattr("similitude.systems.check.reparameterize", lambda model, base: wrong)
+    said = failing(SYSTEM)
+
+    assert set(said) == {"equations", "two forms"}
 
 
 def test_values_that_break_a_constraint_are_found():
@@ -76,7 +83,7 @@ def test_a_run_that_blows_up_is_reported_and_not_raised():
 def test_a_bare_model_is_tried_as_far_as_it_goes():
     check = check_system(DC_MOTOR)
 
-    assert not check.failures and not check.passed  # nothing wrong, but not all was tried
+    assert check.passed and not check.complete  # nothing wrong, but not all was tried
     assert [part.name for part in check.parts if part.passed is None] == ["values", "round trip", "two forms"]
     assert len(check.base) == 3 and "give check_system a System" in str(check)
 
@@ -94,4 +101,26 @@ def test_a_bare_model_without_a_base_is_explained():
         output_map={"x": x},
     )
 
-    assert "does not reach x [K]" in failing(lost)["base"]
+    assert "do not reach x [K]" in failing(lost)["base"]
+
+
+def test_a_static_system_is_checked_without_a_run():
+    model = Model(
+        "exchanger",
+        states=(),
+        inputs=(Quantity("dT", "K"),),
+        outputs=(Quantity("q", "W"),),
+        parameters=(Quantity("C", "W/K"), Quantity("d", "K"), Quantity("UA", "W/K")),
+        rates={},
+        output_map={"q": "C*(1 - exp(-UA/C))*dT"},  # a condenser: effectiveness 1 - exp(-NTU)
+    )
+    values = {"C": "2 W/K", "d": "1 K", "UA": "3 W/K"}
+    system = System(model, ("C", "d"), values, "", duration="1 s", inputs={"dT": "10 K"})
+
+    check = check_system(system)
+    assert check.passed and check.complete, str(check)
+
+
+def test_what_is_no_system_is_refused():
+    with pytest.raises(ModelError, match="given 'bicycle', which is neither"):
+        check_system("bicycle")

@@ -46,7 +46,10 @@ def test_inputs_and_start_are_zero_where_nothing_is_said():
         ({"meanings": {"R": "a base variable has no group"}}, ModelError, "meanings names 'R'"),
         ({"table": {"big": {"Q": "1"}}}, ModelError, "row 'big' of the table names 'Q'"),
         ({"table": {"big": {"R": "1 V"}}}, UnitError, r"R \[ohm\]"),
-        ({"duration": "3 m"}, UnitError, "'m'"),
+        ({"duration": "3 m"}, UnitError, "duration: .*'m'"),
+        ({"duration": 3}, UnitError, "duration: the value is 3"),
+        ({"values": {**MOTOR.values, "L": 0.5}}, UnitError, r"L \[H\]: the value is 0.5"),
+        ({"base": "R"}, ModelError, "base is the text 'R'"),
     ],
 )
 def test_a_part_that_does_not_fit_the_model_is_named(changed, kind, said):

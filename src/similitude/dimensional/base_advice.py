@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice, product
+from itertools import combinations, islice, product
 from typing import TYPE_CHECKING
 
 from similitude.dimensional.base_check import BaseCheck, check_base, independent_sets, lonely
@@ -64,6 +64,13 @@ class BaseAdvice:
         """
         return check_base(self.matrix, base_names(self.matrix, base), self.candidates)
 
+    def rejected(self) -> Iterator[BaseCheck]:
+        """Sets of as many candidates as a base has that are none, each with its reason, one by one."""
+        for base in combinations(self.candidates, self.matrix.rank):
+            check = check_base(self.matrix, base, self.candidates)
+            if not check.valid:
+                yield check
+
     def __str__(self) -> str:
         lines = [self._headline()]
         width = max((len(", ".join(r.base)) for r in self.ranked[:10]), default=0)
@@ -78,12 +85,22 @@ class BaseAdvice:
 
     def _headline(self) -> str:
         if not self.ranked:
-            return f"No base: {check_base(self.matrix, self.candidates, self.candidates).reason}"
-        found = len(self.ranked)
+            return self._lack()
+        found, size = len(self.ranked), self.matrix.rank
         count = f"{found} base{'s are' if found > 1 else ' is'} valid" if self.complete else (
             f"the first {found} valid bases were looked at"
         )  # fmt: skip
-        return f"{count}, {self.matrix.rank} variables each, best first:"
+        return f"{count}, {size} variable{'' if size == 1 else 's'} each, best first:"
+
+    def _lack(self) -> str:
+        check = check_base(self.matrix, self.candidates, self.candidates)
+        spans = f"{', '.join(self.candidates) or 'they'} span {', '.join(check.spans) or 'nothing'}"
+        far = ", ".join(f"{name} [{text}]" for name, text in check.unreached.items())
+        one = next(iter(check.unreached))
+        return (
+            f"No base: {spans} and do not reach {far}; a parameter is missing to measure by, such as a"
+            f" nominal {one}"
+        )
 
 
 def advise_base(
@@ -99,8 +116,9 @@ def advise_base(
 
     Parameters
     ----------
-    system : name -> unit of every variable; or a Model, whose base is made of parameters (those that
-        no constraint gives) and has to measure its states, inputs, outputs and time as well.
+    system : name -> unit of every variable; or a Model, or a System for the sake of its model. The base
+        is then made of parameters (those that no constraint gives) and has to measure states, inputs,
+        outputs and time as well.
     angle : whether the radian is a base dimension.
     spread : sd of ln(variable) over the systems or moments that are compared [-], such as 0.25; a base
         that holds still is preferred. A variable not named here comes after those that are.
@@ -137,11 +155,13 @@ def advise_base(
 
 
 def _variables(system: Mapping[str, str] | Model, angle: bool) -> tuple[DimensionMatrix, tuple[str, ...]]:
+    system = getattr(system, "model", system)
     if not hasattr(system, "parameters"):
         matrix = dimension_matrix(system, angle=angle)
         return matrix, matrix.names
     units = {q.name: q.unit for q in system.quantities}
-    units |= {"time" if "time" not in units else "the time": "s"}
+    if system.states:  # a static model has no time to measure
+        units |= {"time" if "time" not in units else "the time": system.time_unit}
     free = (q.name for q in system.parameters if q.name not in system.constraints)
     return dimension_matrix(units, angle=angle), tuple(free)
 

@@ -57,8 +57,10 @@ class BaseCheck:
         clauses = []
         if self.product:
             clauses.append(f"its variables are dependent, {product_text(self.product)} has no dimension")
-        if self.unreached:
+        if self.unreached and self.product:
             clauses.append(f"its rank is {len(self.spans)}, the variables have rank {self.rank}")
+        elif self.unreached:
+            clauses.append(f"it has too few variables, {len(self.base)} where these need {self.rank}")
         clauses.append(reached)
         if self.unreached:
             some = [f"{name} [{text}]" for name, text in islice(self.unreached.items(), 4)]

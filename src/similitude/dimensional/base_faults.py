@@ -37,8 +37,9 @@ def base_names(matrix: DimensionMatrix, base: Sequence[str]) -> tuple[str, ...]:
             "the names were written as one text; Python then sees its letters.",
             split,
         )
-    base = tuple(base)
     known = matrix.names
+    # a set has no order: that of the variables is the same tomorrow
+    base = tuple(sorted(base, key=_place(known)) if isinstance(base, set | frozenset) else base)
     for name in base:
         if name not in known:
             near = difflib.get_close_matches(str(name), known, n=1, cutoff=0.5)
@@ -57,6 +58,10 @@ def base_names(matrix: DimensionMatrix, base: Sequence[str]) -> tuple[str, ...]:
             list(dict.fromkeys(base)),
         )
     return base
+
+
+def _place(known: Sequence[str]):
+    return lambda name: (known.index(name) if name in known else len(known), str(name))
 
 
 def base_solutions(matrix: DimensionMatrix, base: tuple[str, ...]) -> dict[Column, tuple[list[int], int]]:

@@ -10,6 +10,7 @@ units, and the same again tomorrow.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -50,9 +51,14 @@ class RankedBase:
             clauses.append(f"the spread of {', '.join(self.unstated)} is not stated")
         if self.drift is not None:
             whose = "the spread stated" if self.unstated else "its spread"
-            clauses.append(f"{whose} moves the groups by {100 * self.drift:.3g} %")
+            clauses.append(f"{whose} moves the groups by {_share(self.drift)}")
         clauses.append(f"condition {self.condition:.3g}, exponents up to {self.largest}")
         return "; ".join(clauses)
+
+
+def _share(drift: float) -> str:
+    """A sd of a logarithm in words: per cent while that is meant the same by everybody."""
+    return f"{100 * drift:.2g} %" if drift < 0.3 else f"a factor of {math.exp(drift):.3g}"
 
 
 def _are(names: Sequence[str]) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 from similitude.dimensional.exact_span import Column, Span, leading
 from similitude.errors import ModelError, UnitError, shown
@@ -18,8 +18,6 @@ from similitude.units import Dimension, Unit, parse_unit
 READ = 'docs/groups.md, "Variables and units"'
 ROWS = ("mass", "length", "time", "current", "temperature", "amount", "luminosity")
 SYMBOLS = ("kg", "m", "s", "A", "K", "mol", "cd", "rad")
-
-_read = lru_cache(maxsize=4096)(parse_unit)
 
 
 @dataclass(frozen=True)
@@ -114,15 +112,15 @@ def _plain(powers: tuple[Fraction, ...]) -> Column:
 
 
 def _unit(name: str, unit: object) -> Unit:
-    if not isinstance(unit, str):
+    if not isinstance(unit, str) or not unit.strip():
         raise UnitError(
-            f"variable {shown(name)} has {unit!r} for a unit, which is no text",
-            usually="a value was passed where its unit belongs; no unit is written '1'.",
+            f"variable {shown(name)} has {unit!r} for a unit, which is no unit's text",
+            usually="a value was passed where its unit belongs, or there is none, which is written '1'.",
             paste=f'{{"{name}": "1"}}',
             read=READ,
         )
     try:
-        return _read(unit)
+        return parse_unit(unit)
     except UnitError as error:
         raise UnitError(
             f"variable {shown(name)}: {error.what}",

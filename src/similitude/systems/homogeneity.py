@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from similitude.model import Model
-from similitude.units import TIME, Dimension
+from similitude.units import Dimension, parse_unit
 
 FACTORS = (1.7, 0.6)  # of a unit; two, so that no power of one is mistaken for the other
 CLOSE = 1e-8  # of a power: a thousand roundings of a double, with room for terms that cancel
@@ -69,7 +69,8 @@ def misfits(model: Model) -> list[Misfit]:
 
 
 def _equations(model: Model) -> list[tuple[str, sp.Expr, Dimension]]:
-    rates = [(f"d{n}/dt", e, model.quantity(n).dimension / TIME) for n, e in model.rates.items()]
+    time = parse_unit(model.time_unit).dimension
+    rates = [(f"d{n}/dt", e, model.quantity(n).dimension / time) for n, e in model.rates.items()]
     outputs = {q.name: q.dimension for q in model.outputs}
     return [
         *((where, sp.sympify(e).doit(), d) for where, e, d in rates),

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from similitude.errors import ModelError, UnitError, shown
 from similitude.groups import Groups, reparameterize
 from similitude.model import Model, Quantity
-from similitude.units import TIME, parse_quantity
+from similitude.units import parse_quantity, parse_unit
 
 READ = 'docs/systems.md, "The parts of a system"'
 
@@ -25,7 +25,8 @@ class System:
     ----------
     model : Model.
     base : repeating variables, parameters of the model.
-    values : parameter -> ``"0.01 kg m^2"``; one that a constraint gives may be left out.
+    values : parameter -> ``"0.01 kg m^2"``; one that a constraint gives, or whose value the model knows,
+        may be left out.
     source : where the values stand.
     inputs : input -> value held from time zero, ``"24 V"``; zero where left out.
     start : state -> value at time zero; zero where left out.
@@ -50,6 +51,13 @@ class System:
     table: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        if isinstance(self.base, str):
+            raise self._error(
+                f"base is the text {shown(self.base)}, not several names",
+                "a base of one name lacks its comma.",
+                f"base=({self.base!r},)",
+            )
+        object.__setattr__(self, "base", tuple(self.base))
         parameters = {q.name for q in self.model.parameters}
         rows = {f"row {name!r} of the table": row for name, row in self.table.items()}
         for what, names, known in (
@@ -67,7 +75,8 @@ class System:
                     "a name was misspelt, or put into the wrong part.",
                     f"{what}={{{min(known, default='...')!r}: ...}}",
                 )
-        missing = parameters - set(self.values) - set(self.model.constraints)
+        known = {q.name for q in self.model.parameters if q.known}
+        missing = parameters - set(self.values) - set(self.model.constraints) - known
         if missing:
             name = next(q.name for q in self.model.parameters if q.name in missing)
             raise self._error(
@@ -78,19 +87,30 @@ class System:
         for values in (self.values, self.inputs, self.start, *rows.values()):
             for name, text in values.items():
                 self._number(self.model.quantity(name), text)
-        parse_quantity(self.duration, expect=TIME)
+        _ = self.span
 
     def _error(self, what: str, usually: str, paste: str) -> ModelError:
         return ModelError(f"system {self.model.name!r}: {what}", usually=usually, paste=paste, read=READ)
 
     def _number(self, quantity: Quantity, text: str) -> float:
+        return self._read(f"{quantity.name} [{quantity.unit}]", text, quantity.unit)
+
+    def _read(self, what: str, text: str, unit: str) -> float:
+        where = f"system {self.model.name!r}, {what}"
+        if not isinstance(text, str):
+            raise UnitError(
+                f"{where}: the value is {text!r}, which is no text",
+                usually="a bare number was given; a value is text with its unit.",
+                paste=f"'{text} {unit}'",
+                read=READ,
+            )
         try:
-            return parse_quantity(text, expect=quantity.dimension)[0]
+            return parse_quantity(text, expect=parse_unit(unit).dimension)[0]
         except UnitError as error:
             raise UnitError(
-                f"system {self.model.name!r}, {quantity.name} [{quantity.unit}]: {error.what}",
+                f"{where}: {error.what}",
                 usually=error.usually,
-                paste=f"{quantity.name!r}: '1 {quantity.unit}'",
+                paste=f"'1 {unit}'",
                 read=error.read,
             ) from None
 
@@ -101,8 +121,8 @@ class System:
 
     @property
     def span(self) -> float:
-        """Duration of a run [s]."""
-        return parse_quantity(self.duration, expect=TIME)[0]
+        """Duration of a run [the model's unit of time in SI]."""
+        return self._read("duration", self.duration, self.model.time_unit)
 
     def numbers(self, row: str | None = None) -> dict[str, float]:
         """Every parameter in SI, in the model's order.
@@ -112,7 +132,8 @@ class System:
         row : name of an instance of the table, whose values stand in place of the nominal ones.
         """
         texts = {**self.values, **(self.table[row] if row is not None else {})}
-        read = {name: self._number(self.model.quantity(name), text) for name, text in texts.items()}
+        read = {q.name: q.value for q in self.model.parameters if q.known}
+        read |= {name: self._number(self.model.quantity(name), text) for name, text in texts.items()}
         known = {self.model.quantity(name).symbol: value for name, value in read.items()}
         for name, expression in self.model.constraints.items():
             if name not in read:

@@ -17,9 +17,11 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from similitude.groups import Groups
+from similitude.model import Model
 
 SAMPLES = 60
 RTOL = 1e-10  # of the integration
+POINTS = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,6 +92,56 @@ def simulate_two_forms(
     return TwoForms(t, dimensional, rewritten * size, (*states, *outputs))
 
 
+def compare_at_points(groups: Groups) -> tuple[int, float]:
+    """Rates and outputs of both forms at random positive parameters, states and inputs.
+
+    Parameters
+    ----------
+    groups : Groups   the rewritten model.
+
+    Returns
+    -------
+    tried, apart : points at which all is finite, of `POINTS`; largest difference over the larger of the
+        two values and of the equation's own scale [-].
+    """
+    model, rng = groups.model, np.random.default_rng(1)
+    signals = [q.name for q in (*model.states, *model.inputs)]
+    scales = [
+        *(
+            (model.rates[q.name], groups.rates[q.name], groups.scale[q.name] / groups.time_scale)
+            for q in model.states
+        ),
+        *((model.output_map[q.name], groups.output_map[q.name], groups.scale[q.name]) for q in model.outputs),
+    ]
+    functions = [tuple(map(_callable, row)) for row in scales]
+    tried, apart = 0, 0.0
+    for _ in range(POINTS):
+        point = _point(model, rng)
+        star = {**groups.value(point), **{n: point[n] / _number(groups.scale[n], point) for n in signals}}
+        try:
+            rows = [(f(point), g(star) * unit(point), unit(point)) for f, g, unit in functions]
+        except (ValueError, TypeError, ZeroDivisionError, OverflowError):
+            continue  # outside of the domain of a root, a logarithm, an arc
+        if np.isfinite(rows).all():
+            tried += 1
+            apart = max([apart, *(abs(a - b) / max(abs(a), abs(b), abs(u)) for a, b, u in rows)])
+    return tried, apart
+
+
+def _point(model: Model, rng: np.random.Generator) -> dict[str, float]:
+    point = {q.name: float(rng.uniform(0.5, 2.0)) for q in model.quantities}
+    for name, expression in model.constraints.items():
+        point[name] = _number(sp.sympify(expression), point)
+    return point
+
+
+def _callable(expression: sp.Expr):
+    expression = sp.sympify(expression).doit()
+    free = sorted(expression.free_symbols, key=str)
+    call = sp.lambdify(free, expression, "math")
+    return lambda known: call(*(known[s.name] for s in free))
+
+
 def _number(expression: sp.Expr, values: Mapping[str, float]) -> float:
     return float(sp.sympify(expression).subs({s: values[s.name] for s in expression.free_symbols}))
 
@@ -98,8 +150,10 @@ def _run(rates, output_map, model, known, x0, t, size) -> NDArray[np.float64]:
     from scipy.integrate import solve_ivp
 
     x = [q.symbol for q in model.states]
-    f = _function(x, [rates[q.name] for q in model.states], known)
     g = _function(x, [output_map[q.name] for q in model.outputs], known)
+    if not x:  # a static model says the same at all times
+        return np.array([g()] * len(t))
+    f = _function(x, [rates[q.name] for q in model.states], known)
     ends, tight = (t[0], t[-1]), {"rtol": RTOL, "atol": 1e-12 * np.abs(size)}
     with np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a run that fails is told by its result
