@@ -71,7 +71,9 @@ def proven_zero(expression: sp.Expr) -> sp.Expr:
     ):
         return sp.Integer(0)
     largest = largest_value(expression)
-    return largest if largest is not None and largest < sp.Float("1e-40") else expression
+    if largest is None or largest > sp.Float("1e-40"):
+        return expression
+    return sp.Max(sp.Float(largest, DIGITS), sp.Float("1e-50", DIGITS))  # 50 digits show no more than that
 
 
 def largest_value(expression: sp.Expr, points: int = 4) -> sp.Float | None:
