@@ -20,6 +20,8 @@ from bench.kernels import (
     rls_kernel,
     small_car_config,
 )
+from bench.model_analysis import REACTIONS, run_analysis, scalings
+from bench.pi_theorem import SIZES, actions
 from bench.timing import Times, interleave
 from bench.whole_process import processes
 from similitude.program.library import Library, shipped
@@ -35,9 +37,15 @@ class Counts:
     scripted_rounds: int = 15
     log: int = 60_000  # rows of the log: ten minutes at 100 Hz
     processes: int = 9  # rounds; 0 leaves the processes out
+    groups: tuple[int, ...] = SIZES  # numbers of variables whose Pi groups are found
+    groups_rounds: int = 7
+    reactions: int = REACTIONS  # of the chain whose scalings are found
+    analyses: int = 5  # rounds of scalings and of the whole analysis; 0 leaves the latter out
 
 
-QUICK = Counts(1000, 3, 60, 2, 0, 0)
+QUICK = Counts(1000, 3, 60, 2, 0, 0, (7, 40), 1, 6, 0)
+LONGEST_MS = {40: 5.0, 200: 15.0}  # for the Pi groups of so many variables
+LONGEST_S = {"scalings": 2.0, "analyze": 3.0}  # of sixty reactions; of the bicycle, process and all
 
 
 @dataclass(frozen=True)
@@ -71,6 +79,10 @@ def measure(counts: Counts) -> tuple[list[Row], list[Bound]]:
     """Take every measurement; about a minute with the standard counts."""
     rows, bounds = compiled(counts)
     rows += scripted(counts)
+    more, limits = dimensional(counts)
+    rows, bounds = rows + more, bounds + limits
+    more, limits = structural(counts)
+    rows, bounds = rows + more, bounds + limits
     if counts.processes:
         more, bound = whole_process(counts)
         rows += more
@@ -127,6 +139,39 @@ def scripted_actions(samples: int) -> dict[str, Callable[[], object]]:
         "filterpy EKF, the same ten states": lambda: Ekf(CAR["L"], NOISE).run(rows),
         "population, Python twin": lambda: twin.run(config, twin.start(config), rows),
     }
+
+
+def dimensional(counts: Counts) -> tuple[list[Row], list[Bound]]:
+    """Pi groups of a few and of many variables by every tool; bounds in milliseconds, not ratios."""
+    rows, bounds = [], []
+    for size in counts.groups:
+        times = interleave(actions(size), counts.groups_rounds)
+        named = {f"Pi groups of {size}, {tool}": taken for tool, taken in times.items()}
+        rows += [Row(name, "list", 1e6 * t.median, 1e6 * t.least) for name, t in named.items()]
+        for tool in ("similitude", "similitude, base given"):
+            name, most = f"Pi groups of {size}, {tool}", LONGEST_MS.get(size)
+            if most:
+                against = Times((most * 1e-3,))
+                bounds.append(_bound(f"{name} in {most:g} ms", name, "ms", {**named, "ms": against}, 1.0))
+    return rows, bounds
+
+
+def structural(counts: Counts) -> tuple[list[Row], list[Bound]]:
+    """Scalings of a chain of reactions and a whole analysis; bounds in seconds, not ratios."""
+    timed = interleave(scalings(counts.reactions), max(counts.analyses, 1), clock=time.perf_counter)
+    rows = [Row(name, "system", 1e6 * t.median, 1e6 * t.least) for name, t in timed.items()]
+    first = next(iter(timed))
+    bounds = [_within(first, timed[first], LONGEST_S["scalings"])]
+    if counts.analyses:
+        name = "similitude analyze bicycle"
+        taken = interleave({name: run_analysis}, counts.analyses, clock=time.perf_counter)[name]
+        rows.append(Row(name, "process", 1e6 * taken.median, 1e6 * taken.least))
+        bounds.append(_within(name, taken, LONGEST_S["analyze"]))
+    return rows, bounds
+
+
+def _within(name: str, taken: Times, most: float) -> Bound:
+    return _bound(f"{name} in {most:g} s", name, "s", {name: taken, "s": Times((most,))}, 1.0)
 
 
 def whole_process(counts: Counts) -> tuple[list[Row], Bound]:

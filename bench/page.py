@@ -12,7 +12,7 @@ from bench.measurements import Bound, Row
 from similitude.program.compile import FLAGS, cache_directories
 from similitude.program.compiler import find_compiler
 
-UNIT = {"process": (1e-6, "s"), "sample": (1.0, "µs")}
+UNIT = {"process": (1e-6, "s"), "sample": (1.0, "µs"), "list": (1e-3, "ms"), "system": (1e-6, "s")}
 
 
 def record(rows: list[Row], bounds: list[Bound]) -> dict:

@@ -8,6 +8,7 @@ import sympy as sp
 from similitude.errors import ModelError
 from similitude.groups import reparameterize
 from similitude.model import Model, Quantity
+from similitude.systems.bicycle import BICYCLE
 
 x, F, m1, m2, k, reach, tau = sp.symbols("x F m1 m2 k reach tau", real=True)
 
@@ -109,3 +110,16 @@ def test_constraints_are_rewritten():
     groups = reparameterize(both, base=("reach", "tau"))
 
     assert groups.constraints == {"pi2": 1 - groups.groups[0].symbol}
+
+
+def test_groups_that_carry_the_radian_are_told():
+    """Of the bicycle the cornering stiffnesses, in newton per radian."""
+    groups = reparameterize(BICYCLE, base=("m", "L", "U"))
+
+    assert groups.angles == {"pi3": -1, "pi4": -1}
+
+
+def test_a_constraint_on_a_base_parameter_is_solved_for_a_group():
+    groups = reparameterize(BICYCLE, base=("m", "b", "U"))
+
+    assert groups.constraints == {"pi1": groups.groups[1].symbol + 1}

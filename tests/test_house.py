@@ -17,8 +17,12 @@ PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
-    "saturation",
-    "model groups population reduction",
+    "saturation model_text_faults model_text",
+    "homogeneity model_formulas",
+    "model dimensional groups population reduction",
+    "symmetry",
+    "linear invariance rewriting",
+    "analysis",
     "matrix_function sampling",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
@@ -37,7 +41,7 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
+    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

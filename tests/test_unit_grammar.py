@@ -22,7 +22,9 @@ def test_text_becomes_names_with_exact_powers(text, terms):
     assert parse_terms(text) == terms
 
 
-@pytest.mark.parametrize("text", ["a/b c", "a/b*c", "a b/c d", "a^b", "1.5", "10 m", "a^", "()"])
+@pytest.mark.parametrize(
+    "text", ["a/b c", "a/b*c", "a b/c d", "a^b", "1.5", "10 m", "1e3 m", "1m", "a^", "()"]
+)
 def test_what_people_and_programs_read_differently_is_refused(text):
     with pytest.raises(GrammarError):
         parse_terms(text)

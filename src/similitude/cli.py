@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from similitude.cli_analyze import analyze
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_inspect import inspect
@@ -132,6 +133,7 @@ def identify(
 
 
 app.command()(inspect)
+app.command()(analyze)
 app.command()(simulate)
 app.command()(compare)
 

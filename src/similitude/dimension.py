@@ -64,22 +64,24 @@ class Dimension:
         """Exponents by base name (``"mass"``, ``"length"``, ...), zeros left out [-]."""
         return {name: getattr(self, name) for name in _SYMBOLS if getattr(self, name)}
 
-    def _powers(self) -> tuple[Fraction, ...]:
+    @property
+    def powers(self) -> tuple[Fraction, ...]:
+        """The seven exponents in the order of the arguments, zeros included [-]."""
         return tuple(getattr(self, name) for name in _SYMBOLS)
 
     def __mul__(self, other: Dimension) -> Dimension:
         if not isinstance(other, Dimension):
             return NotImplemented
-        return Dimension(*(x + y for x, y in zip(self._powers(), other._powers(), strict=True)))
+        return Dimension(*(x + y if y else x for x, y in zip(self.powers, other.powers, strict=True)))
 
     def __truediv__(self, other: Dimension) -> Dimension:
         if not isinstance(other, Dimension):
             return NotImplemented
-        return Dimension(*(x - y for x, y in zip(self._powers(), other._powers(), strict=True)))
+        return Dimension(*(x - y if y else x for x, y in zip(self.powers, other.powers, strict=True)))
 
     def __pow__(self, power: int | Fraction) -> Dimension:
         exact = _exact(power)
-        return Dimension(*(x * exact for x in self._powers()))
+        return Dimension(*(x * exact if x else x for x in self.powers))
 
     def __str__(self) -> str:
         parts = [
@@ -95,7 +97,7 @@ class Dimension:
 def _exact(power: int | Fraction) -> Fraction:
     if isinstance(power, bool) or not isinstance(power, (int, Fraction)):
         raise TypeError(f"an exponent must be an int or a Fraction, not {power!r}")
-    return Fraction(power)
+    return power if type(power) is Fraction else Fraction(power)
 
 
 def _power_text(power: Fraction) -> str:

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from similitude.dimensional.exact_span import span_of
 from similitude.errors import ModelError
 from similitude.model import Model, Quantity
 from similitude.units import Dimension, parse_unit
@@ -49,6 +50,18 @@ class Groups:
     output_map: Mapping[str, sp.Expr]
     constraints: Mapping[str, sp.Expr]
 
+    @property
+    def angles(self) -> dict[str, Fraction]:
+        """Group -> power of the radian, for groups that are not dimensionless where the radian counts."""
+        found = {}
+        for group in self.groups:
+            powers = (
+                self.model.quantity(n).measure(angle=True).angle * e for n, e in group.exponents.items()
+            )
+            if power := sum(powers, Fraction(0)):
+                found[group.name] = power
+        return found
+
     def value(self, values: Mapping[str, float]) -> dict[str, float]:
         """Numerical groups [-] from parameter values in SI units."""
         result = {}
@@ -82,19 +95,20 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
     """
     columns = [model.quantity(name).dimension for name in base]
     scale = {q.name: _monomial(_solve(model, base, columns, q.name, q.dimension)) for q in model.quantities}
-    time = _monomial(_solve(model, base, columns, "time", parse_unit("s").dimension))
+    second = parse_unit(model.time_unit if model.states else "1").dimension  # a static model has no time
+    time = _monomial(_solve(model, base, columns, "time", second))
     free = [q for q in model.parameters if q.name not in base]
     groups = tuple(_group(model, base, columns, q, i + 1) for i, q in enumerate(free))
     substitution = {q.symbol: scale[q.name] * g.symbol for q, g in zip(free, groups, strict=True)}
     signals = (*model.states, *model.inputs)
     substitution |= {q.symbol: scale[q.name] * q.symbol for q in signals}
-    positive = {model.quantity(n).symbol: sp.Symbol(n, positive=True) for n in base}
-    real = {symbol: name for name, symbol in positive.items()}
+    one = {model.quantity(n).symbol: sp.Integer(1) for n in base}
 
     def dimensionless(expression: sp.Expr, unit: sp.Expr, where: str) -> sp.Expr:
         result = sp.expand(sp.sympify(expression).xreplace(substitution) / unit)
-        if result.free_symbols & positive.keys():  # sums under a fraction or a root
-            result = sp.simplify(result.xreplace(positive)).xreplace(real)
+        if result.free_symbols & one.keys():  # sums under a fraction, a root or in a function
+            # The model is homogeneous, so the base cancels, and the value for a base of ones is the value.
+            result = sp.sympify(expression).xreplace(substitution).xreplace(one)
         left = sorted({s.name for s in result.free_symbols} & set(base))
         if left:
             raise ModelError(
@@ -106,7 +120,10 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
             )
         return sp.factor_terms(result)
 
-    of_parameter = {q.name: g for q, g in zip(free, groups, strict=True)}
+    constraints = {
+        name: dimensionless(e, scale[name], f"the constraint on {name!r}")
+        for name, e in model.constraints.items()
+    }
     return Groups(
         model=model,
         base=tuple(base),
@@ -121,11 +138,20 @@ def reparameterize(model: Model, *, base: Sequence[str]) -> Groups:
             name: dimensionless(out, scale[name], f"the output {name!r}")
             for name, out in model.output_map.items()
         },
-        constraints={
-            of_parameter[name].name: dimensionless(e, scale[name], f"the constraint on {name!r}")
-            for name, e in model.constraints.items()
-        },
+        constraints=_constraints(constraints, {q.name: g for q, g in zip(free, groups, strict=True)}),
     )
+
+
+def _constraints(rewritten: Mapping[str, sp.Expr], groups: Mapping[str, Group]) -> dict[str, sp.Expr]:
+    """Group name -> expression. What constrains a base parameter (1 = e) is solved for a group of e."""
+    found = {groups[name].name: e for name, e in rewritten.items() if name in groups}
+    for e in (e for name, e in rewritten.items() if name not in groups):
+        for symbol in sorted(e.free_symbols, key=lambda s: s.name):
+            solved = sp.solve(e - 1, symbol) if symbol.name not in found else []
+            if len(solved) == 1:
+                found[symbol.name] = solved[0]
+                break
+    return found
 
 
 def _group(model: Model, base: Sequence[str], columns: list[Dimension], q: Quantity, number: int) -> Group:
@@ -144,25 +170,13 @@ def _solve(
     model: Model, base: Sequence[str], columns: list[Dimension], name: str, wanted: Dimension
 ) -> dict[str, Fraction]:
     """Exponents of the base whose product has the wanted dimension, exactly."""
-    rows = sorted({r for d in (*columns, wanted) for r in d.exponents})
-    matrix = sp.Matrix(
-        [[sp.Rational(*_pair(d.exponents.get(r, Fraction(0)))) for d in columns] for r in rows]
-        or [[sp.Integer(0)] * len(columns)]
-    )
-    right = sp.Matrix([sp.Rational(*_pair(wanted.exponents.get(r, Fraction(0)))) for r in rows] or [0])
-    try:
-        solution, parameters = matrix.gauss_jordan_solve(right)
-    except ValueError:
-        solution, parameters = None, ()
-    if solution is None or parameters.shape[0]:
+    span = span_of([d.powers for d in columns], len(wanted.powers))
+    solution = None if span is None else span.exponents(wanted.powers)
+    if solution is None:
         raise ModelError(
             f"model {model.name!r}: the base {', '.join(base)} cannot measure {name!r} [{wanted}]",
             usually="The repeating variables are dependent, or do not reach one of the dimensions.",
-            paste=f"reparameterize(model, base={list(base)!r})   # one mass, one length, one time",
+            paste="print(similitude.advise_base(model))   # the bases that can",
             read="docs/architecture.md, 'Groups'",
         )
-    return {n: Fraction(int(v.p), int(v.q)) for n, v in zip(base, solution, strict=True)}
-
-
-def _pair(value: Fraction) -> tuple[int, int]:
-    return value.numerator, value.denominator
+    return dict(zip(base, solution, strict=True))

@@ -49,11 +49,28 @@ class SaturationSlope(sp.Function):
     nargs = 1
     is_real = True
 
+    def fdiff(self, argindex: int = 1) -> sp.Expr:
+        """d2s/dx2."""
+        return SaturationBend(self.args[0])
+
     def doit(self, **_: bool) -> sp.Expr:
         """The slope as a rational expression in \\|x\\|."""
         x = self.args[0]
         size = sp.Max(x, -x)
         return _slope_over(size) / (1 + size * _over(size)) ** 2
+
+
+class SaturationBend(sp.Function):
+    """d2s/dx2, odd, zero at zero: what a linearised tyre's sensitivities need. No step program holds it."""
+
+    nargs = 1
+    is_real = True
+
+    def doit(self, **_: bool) -> sp.Expr:
+        """The second derivative as a rational expression in \\|x\\| and the sign of x."""
+        x, size = self.args[0], sp.Dummy(positive=True)
+        bend = sp.diff(_slope_over(size) / (1 + size * _over(size)) ** 2, size)
+        return sp.sign(x) * bend.xreplace({size: sp.Max(x, -x)})
 
 
 def _over(size: sp.Expr) -> sp.Expr:

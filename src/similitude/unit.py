@@ -10,6 +10,7 @@ import difflib
 import math
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from similitude import unit_table
 from similitude.dimension import Dimension
@@ -42,6 +43,7 @@ class Unit:
         return self.dimension == Dimension.none and self.angle == 1
 
 
+@lru_cache(maxsize=4096)  # a model asks for the same few again and again
 def parse_unit(text: str, *, expect: Dimension | None = None) -> Unit:
     """Read a unit.
 

@@ -140,3 +140,24 @@ def test_reference_takes_the_configuration_by_name():
     from bench.kernels import PAPER_ORDER
 
     assert sorted(PAPER_ORDER) == sorted(shipped("bicycle_paper").names("config"))
+
+
+def test_the_chains_of_reactions_have_the_scalings_of_time_and_amount():
+    from bench.model_analysis import chain, saturating_chain
+
+    from similitude import scaling_symmetries
+
+    for make in (chain, saturating_chain):
+        found = scaling_symmetries(*make(5))
+        assert found.count == 2
+        assert found.verify()
+
+
+def test_the_bench_times_scalings_and_says_when_they_take_too_long():
+    from bench.measurements import structural
+
+    rows, bounds = structural(QUICK)
+
+    assert [row.per for row in rows] == ["system", "system"]
+    assert bounds[0].bound == 1.0
+    assert bounds[0].ratio == pytest.approx(rows[0].median_us / 2e6)

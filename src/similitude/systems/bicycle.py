@@ -15,6 +15,7 @@ import sympy as sp
 from similitude.groups import Groups, reparameterize
 from similitude.model import Model, Quantity
 from similitude.reduction import Reduction, Unknown
+from similitude.systems.system import System
 
 v, r, delta = sp.symbols("v r delta", real=True)
 m, L, U, a, b, Caf, Car, Iz = sp.symbols("m L U a b Caf Car Iz", real=True)
@@ -90,3 +91,30 @@ def bicycle_reduction() -> Reduction:
         },
         live=(U > 0) & (10 * U * U > sp.Symbol("K_prior", real=True)),
     )
+
+
+MEANINGS = {
+    "a": "place of the centre of gravity between the axles",
+    "b": "the same from the rear: b/L = 1 - a/L",
+    "Caf": "front cornering stiffness against the force of a turn, m U^2/L",
+    "Car": "rear cornering stiffness against the same",
+    "Iz": "yaw inertia over that of the whole mass at the wheelbase",
+}
+
+SYSTEM = System(
+    BICYCLE,
+    base=("m", "L", "U"),
+    values={
+        "m": "5.451 kg",
+        "L": "0.3652 m",
+        "U": "4 m/s",
+        "a": "0.1461 m",
+        "Caf": "65 N/rad",
+        "Car": "110 N/rad",
+        "Iz": "0.1615 kg m^2",
+    },
+    source="Brennan & Alleyne 2004, the scale test vehicle",
+    inputs={"delta": "2 deg"},
+    duration="2 s",
+    meanings=MEANINGS,
+)

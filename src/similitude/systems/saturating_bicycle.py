@@ -18,6 +18,7 @@ from similitude.groups import Groups, reparameterize
 from similitude.model import Model, Quantity
 from similitude.reduction import Reduction, Unknown
 from similitude.saturation import Saturation
+from similitude.systems import bicycle
 from similitude.systems.bicycle import (
     BICYCLE,
     Caf,
@@ -33,6 +34,7 @@ from similitude.systems.bicycle import (
     m,
     r,
 )
+from similitude.systems.system import System
 
 grip = sp.Symbol("grip", real=True)
 
@@ -67,3 +69,14 @@ def saturating_bicycle_reduction() -> Reduction:
         substitution={**linear.substitution, "pi6": grip * L / U**2},
         live=linear.live,
     )
+
+
+SYSTEM = System(
+    SATURATING_BICYCLE,
+    base=("m", "L", "U"),
+    values={**bicycle.SYSTEM.values, "grip": "0.9 gn"},
+    source="Brennan & Alleyne 2004, the scale test vehicle; the grip is that of rubber on a dry road",
+    inputs={"delta": "10 deg"},
+    duration="2 s",
+    meanings={**bicycle.MEANINGS, "grip": "greatest lateral acceleration against U^2/L"},
+)

@@ -1,0 +1,1 @@
+"""A whole model looked over at once: what `similitude analyze` prints."""

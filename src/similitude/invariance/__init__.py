@@ -1,0 +1,1 @@
+"""Sensitivity invariances: one linear relation among logarithmic sensitivities for each dimension."""

@@ -1,0 +1,1 @@
+"""Linear models: matrices, transfer functions, and the way to and from python-control."""
