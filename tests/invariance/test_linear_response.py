@@ -49,7 +49,8 @@ def test_slopes_are_those_of_differences_and_rows_hold(kind, model):
 
     assert all(residual == 0 for residual in rows.verify().values())
     assert max(rows.verify(given).values()) < 1e-12
-    for name in rows.arguments:
+    some = rows.arguments if model is BICYCLE else ("grip", "delta", "s", "Ts")  # what only it has
+    for name in set(some) & set(rows.arguments):
         up, down = (rows.value({**given, name: given[name] * np.exp(way * step)}) for way in (1, -1))
         assert S[name] == pytest.approx((up - down) / (2 * step) / rows.value(given), abs=1e-7), name
 
@@ -64,8 +65,11 @@ def test_symbolic_sensitivities_are_exact_and_sum_as_the_rows_say():
     rows = invariances(BICYCLE, response="frequency")
     S = rows.sensitivities()
 
+    at = {x: sp.Rational(k + 3, 7) for k, x in enumerate(sorted(S["m"].free_symbols, key=str))}
+    exact = {name: e.xreplace(at) for name, e in S.items()}
+    assert exact["m"].is_Rational
     for row in rows.rows:
-        assert sp.simplify(row.left_side(S) - sp.Rational(row.rhs.numerator)) == 0
+        assert row.left_side(exact) == row.rhs
 
 
 def test_what_cancels_from_the_gain_is_no_argument():

@@ -19,7 +19,7 @@ from similitude.errors import ModelError
 from similitude.invariance.compiled import compiled, log_slope
 
 ROUGH, FINE = 1e-6, 1e-12  # of a state's greatest size over the run [-]
-MOST = 100_000  # evaluations of the rates between two times; some seconds
+MOST = {"LSODA": 50_000, "DOP853": 500_000}  # evaluations of the rates between two times; some seconds
 STIFF = 2000.0  # fastest rate times duration [-] from which the implicit method is taken
 
 
@@ -142,8 +142,8 @@ def _solve(rhs, span, start, at, method: str, rtol: float, atol):
 
     def counted(t: float, x: np.ndarray) -> np.ndarray:
         asked[0] += 1
-        if asked[0] > MOST:
-            raise _lost(t, span[1], f"{MOST} evaluations were not enough")
+        if asked[0] > MOST[method]:
+            raise _lost(t, span[1], f"{MOST[method]} evaluations were not enough")
         return rhs(t, x)
 
     with np.errstate(all="ignore"):
