@@ -28,6 +28,7 @@ BULGE_TAPS = TAPS[1:6]
 FEWEST_BINS = 100
 SETTLING = 0.25  # s; what was steered before a stretch dies away
 LEAST_BINS = 4
+LONG = 0.05  # of the log
 EXPLAINED = 0.3  # of the yaw rate's variance; below, the log does not tell how the car answers
 RIDGE = 1e-4  # of a column's mean square
 OUTLIER = 4.0  # robust sds; a blow to the gyro is not how the car answers
@@ -83,8 +84,6 @@ def unanswered(values: Mapping[str, np.ndarray], name: str, held: list[tuple[int
         return rows
     design, known = seen.design()
     answer = _Answer.of(design, seen.turned, known)
-    if answer is None:
-        return rows
     settling = int(SETTLING * seen.t[-1] / float(values["t"][-1] - values["t"][0])) + 1
     ends = _ends(values[name])
     for a, b in held:
@@ -94,11 +93,16 @@ def unanswered(values: Mapping[str, np.ndarray], name: str, held: list[tuple[int
             continue
         if not np.nanmin(np.abs(values["U"][a:b])) > STANDSTILL:
             continue
-        rest = answer.without(slice(first, last + MEMORY), stretch)[known[stretch]]
-        size = float(np.sqrt(np.mean(rest**2)))
-        rows[a:b] = size > BEYOND_NOISE * answer.noise and size > UNUSUAL * answer.usual(
-            min(rest.size, MEMORY), slice(first, last + MEMORY)
-        )
+        out, own = slice(first, last + MEMORY), answer
+        if last - first > LONG * known.size:  # it would spoil what is learnt from the rest
+            outside = known.copy()
+            outside[out] = False
+            own = _Answer.of(design, seen.turned, outside)
+        if own is not None:
+            rest = own.without(out, stretch)[known[stretch]]
+            size = float(np.sqrt(np.mean(rest**2)))
+            usual = max(BEYOND_NOISE * own.noise, UNUSUAL * own.usual(min(rest.size, MEMORY), out))
+            rows[a:b] = size > usual
     return rows
 
 
