@@ -64,10 +64,11 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
         return LagScan(empty, empty, vehicle.steer_lag.value, "vehicle file")
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
     setup = setup.at_rate(RATE)
-    cost = _costs(setup, lags)
-    best = int(np.argmin(cost))
-    early = _early(setup) if best <= 1 else 0.0
-    cost -= cost.min()
+    both = _costs(setup, np.concatenate([-np.array(EARLY), lags]))
+    ahead, cost = both[: len(EARLY)], both[len(EARLY) :]
+    best, first = int(np.argmin(cost)), int(np.argmin(ahead))
+    early = EARLY[first] if cost[best] - ahead[first] > CONVINCING else 0.0
+    cost = cost - cost[best]
     if cost[0] < CONVINCING:
         return LagScan(lags, cost, *_of_measured(lags, cost), early=early)
     chosen, std = _vertex(lags, cost, best)
@@ -81,14 +82,6 @@ def _costs(setup: Setup, lags: NDArray[np.float64]) -> NDArray[np.float64]:
     # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
     shared = np.logical_and.reduce([p.used for p in passes])
     return np.array([p.cost(shared) for p in passes]) / alone
-
-
-def _early(setup: Setup) -> float:
-    """By how much the yaw rate comes before the steer [s]; 0 where the log does not speak for it."""
-    lags = -np.array([0.0, *EARLY])
-    cost = _costs(setup, lags)
-    best = int(np.argmin(cost))
-    return float(-lags[best]) if cost[0] - cost[best] > CONVINCING else 0.0
 
 
 def _of_measured(lags: NDArray[np.float64], cost: NDArray[np.float64]) -> tuple[float, str, float]:
