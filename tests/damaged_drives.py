@@ -101,6 +101,12 @@ def coarse(drive, rng):
 
 def look(drive, folder, *, with_ay=True, units=UNITS, names=NAMES):
     """The survey of a drive written to a file and read back."""
+    path = write(drive, folder, with_ay=with_ay, units=units, names=names)
+    return survey(path, vehicle=Vehicle("car", L=parse_uncertain(f"{drive.L:.4f} m")))
+
+
+def write(drive, folder, *, with_ay=True, units=UNITS, names=NAMES):
+    """The path of a Parquet file with the columns of a drive."""
     path = folder / "drive.parquet"
     kept = {
         f"{name} [{units[name]}]": column
@@ -108,7 +114,7 @@ def look(drive, folder, *, with_ay=True, units=UNITS, names=NAMES):
         if name in names and (with_ay or name != "ay")
     }
     pq.write_table(pa.table(kept), path)
-    return survey(path, vehicle=Vehicle("car", L=parse_uncertain(f"{drive.L:.4f} m")))
+    return path
 
 
 def scaled(name, factor):
@@ -120,22 +126,30 @@ def scaled(name, factor):
     return damage
 
 
+def nothing(drive, rng):
+    """The drive as it is."""
+    return dict(drive.columns)
+
+
 def _somewhere(drive, rng, seconds):
-    """Rows of so many seconds in which the car moves."""
+    """Rows of so many seconds in which the car moves; fewer where it stops too often for that."""
     t = drive.columns["t"]
     length = int(seconds / np.median(np.diff(t)))
-    while True:
+    for tried in range(1, 100_000):
+        if tried % 1000 == 0:
+            length = max(length * 4 // 5, 2)
         start = int(rng.integers(1, t.size - length - 1))
         if np.min(np.abs(drive.columns["U"][start : start + length])) > 0.5:
             return slice(start, start + length)
+    raise ValueError("the car never moves")
 
 
-def stuck(name):
-    """The fault of a sensor that repeats one value for 1 to 5 s."""
+def stuck(name, shortest=1, longest=5):
+    """The fault of a sensor that repeats one value for so many seconds."""
 
     def damage(drive, rng):
         column = drive.columns[name].copy()
-        rows = _somewhere(drive, rng, rng.uniform(1, 5))
+        rows = _somewhere(drive, rng, rng.uniform(shortest, longest))
         column[rows] = column[rows.start]
         return {**drive.columns, name: column}
 
@@ -225,3 +239,57 @@ def joined(drive, rng):
     speed = drive.columns["U"].copy()
     speed[at:] += rng.choice([-1, 1]) * rng.uniform(3, 7)
     return {**drive.columns, "U": speed}
+
+
+def zeroed(name):
+    """A column that reads nothing for 1 to 5 s."""
+
+    def damage(drive, rng):
+        column = drive.columns[name].copy()
+        column[_somewhere(drive, rng, rng.uniform(1, 5))] = 0.0
+        return {**drive.columns, name: column}
+
+    return damage
+
+
+def late(name, least, most):
+    """A column whose clock is so many seconds late, at either side of the log with its last value."""
+
+    def damage(drive, rng):
+        t = drive.columns["t"]
+        then = t - rng.uniform(least, most)
+        return {**drive.columns, name: np.interp(then, t, drive.columns[name])}
+
+    return damage
+
+
+def since_1970(drive, rng):
+    """Time counted from 1970 on."""
+    return {**drive.columns, "t": drive.columns["t"] + 1.7e9 + np.round(rng.uniform(0, 1e7), 2)}
+
+
+def clock_nudged(drive, rng):
+    """The clock is set by 0.05 to 60 s, ahead or back."""
+    t = drive.columns["t"].copy()
+    t[int(rng.uniform(0.2, 0.8) * t.size) :] += rng.choice([-1, 1]) * np.exp(rng.uniform(*np.log([0.05, 60])))
+    return {**drive.columns, "t": t}
+
+
+def lost(drive, rng):
+    """Cells lost at random, up to a tenth of those of steer, yaw rate and speed."""
+    share = rng.uniform(0.005, 0.1)
+    return {
+        name: np.where(rng.random(x.size) < share, np.nan, x) if name in ("delta", "r", "U") else x
+        for name, x in drive.columns.items()
+    }
+
+
+def slower(name):
+    """A column that has a cell in every second to fifth row only."""
+
+    def damage(drive, rng):
+        every = int(rng.integers(2, 6))
+        there = np.arange(drive.columns["t"].size) % every == 0
+        return {**drive.columns, name: np.where(there, drive.columns[name], np.nan)}
+
+    return damage

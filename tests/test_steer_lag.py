@@ -1,5 +1,7 @@
 """The lag scan finds what was planted, and finds nothing where there is nothing to find."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -101,3 +103,11 @@ def test_the_noise_assumed_does_not_decide_the_lag():
     for factor in (0.3, 3.0):
         setup = setup_of(log, vehicle_prior(car), L=CAR["L"], noise_std=NOISE * factor)
         assert find_lag(setup, car).chosen == pytest.approx(0.05, abs=0.010)
+
+
+@pytest.mark.parametrize("early", [0.1, 0.3])
+def test_a_yaw_rate_before_its_steer_is_said_and_by_about_how_much(early):
+    log = drive(seconds=40, rms=0.006, seed=5)
+    late = replace(log, delta=np.interp(log.t - early, log.t, log.delta))
+    assert scan(late).early == pytest.approx(early, abs=0.06)
+    assert scan(log).early == 0.0

@@ -63,7 +63,7 @@ class Setup:
         """Steer of a lag ago, (n,) [rad]; a short hole is bridged, a long one stays missing."""
         t, steer = self.log.t, self.log.delta
         known = np.flatnonzero(np.isfinite(steer))
-        if self.lag <= 0 or known.size < 2:
+        if self.lag == 0 or known.size < 2:
             return steer
         there, angle = t[known], steer[known]
         if self.tail is not None:

@@ -32,6 +32,7 @@ MEANING = {
     "rho": "Iz/(m a b), yaw inertia ratio",
 }
 UNITS = {"K": "m^2/s^2", "pi1": "-", "eta": "-", "rho": "-"}
+TWO_CLOCKS = 0.15  # s: few commands act so late
 SLOW_PI3 = 10  # beyond this pi3 the tyres do not show, and the filter holds
 AT_EDGE = 0.1  # prior sds: a group that was stopped at its limit stays this near to it
 SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
@@ -166,6 +167,13 @@ def warnings_of(ready: Prepared, batch: BatchFit | None, *, learnt: bool) -> lis
         lines.append(
             f"the steer acts {1000 * scan.chosen:.0f} ms after its column says so: it looks like a command, "
             "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
+            + (" (or steer and yaw rate were logged by two clocks)" if scan.chosen > TWO_CLOCKS else "")
+        )
+    if scan.early:
+        lines.append(
+            f"the yaw rate comes about {1000 * scan.early:.0f} ms before the steer that should cause it, as "
+            "no car's does: steer and yaw rate were logged by two clocks, and K is wrong; move the steer "
+            f"{scan.early:g} s to earlier times and identify again"
         )
     if batch and learnt:
         lines += _of_the_fit(batch)

@@ -18,7 +18,7 @@ from similitude.errors import UsageError, shown
 from similitude.finding import Finding
 from similitude.log_cells import slower_by
 from similitude.log_columns import Column, column_of
-from similitude.log_sensors import clipped_rows, spike_rows, straight_rows, stuck_rows
+from similitude.log_sensors import cut_rows, spike_rows, straight_rows, stuck_rows
 from similitude.log_time import counter_period, restarts
 from similitude.units import parse_unit
 
@@ -217,7 +217,7 @@ FIXES = {
     "drop_clipped": Fix(
         "leave cells empty in which a sensor is at the end of its range",
         "t",
-        _emptied(lambda values, name: clipped_rows(values[name]), ("delta", "steering_wheel", "r")),
+        _emptied(cut_rows, ("delta", "steering_wheel", "r")),
     ),
     "drop_spikes": Fix(
         "leave single cells empty that stand out from both neighbours",

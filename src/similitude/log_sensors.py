@@ -15,6 +15,7 @@ import numpy as np
 from similitude.errors import shown
 from similitude.finding import Finding
 from similitude.log_columns import Column, column_of
+from similitude.log_following import cut_off, unanswered
 from similitude.log_plausibility import STANDSTILL
 
 CHANCE = 1e-3  # expected number of such stretches in the log, were it chance
@@ -22,11 +23,7 @@ SHORTEST_STUCK = 0.5  # s; a held value of a slow bus is shorter
 SHORTEST_LINE = 0.3  # s; an interpolated hole of a few samples is as good as none
 MOST_REPEATS = 0.5  # of the pairs of neighbours; above, a column is held or coarse, and no noise shows
 CLEAN_REPEATS = 0.02  # ... and up to here noise shows in every reading: no driver holds so still
-SETTLING = 0.5  # s; after it the yaw rate of a steer that is held goes with the speed
-TURNING_BIN = 0.25  # s; a mean over it has little noise
-OTHERWISE = 0.5  # of the yaw rate's own spread: what a steer that is held cannot bring about
-USUAL_REST = 3.0  # times what the steer leaves unexplained elsewhere: a gusty road is no stuck sensor
-MOST_BINS = 1_000_000
+MOST_STEPS = 0.5  # of the changes are of different sizes; fewer, and the readings lie on a grid
 MOST_TIES = 0.05  # of the pairs of neighbours, away from the ends of the range
 FEWEST_CLIPPED = 6  # rows at one end
 ROUNDING = 1e-5  # of the value: three numbers of six digits miss a line by that
@@ -61,7 +58,7 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
         header = column_of(name, columns).header
         found += _said(name, header, "stuck", stuck_rows(values, name), values["t"])
         if name != "U":
-            found += _said(name, header, "clipped", clipped_rows(values[name]), values["t"])
+            found += _said(name, header, "clipped", cut_rows(values, name), values["t"])
         found += _said(name, header, "spikes", spike_rows(values[name]), values["t"])
     if "r" in values:
         header = columns["r"].header
@@ -109,12 +106,10 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     short = seconds < SHORTEST_STUCK
     elsewhere = same.size - int((stops - starts)[~short].sum())
     repeats = int((stops - starts)[short].sum()) / max(elsewhere, 1)
-    if name in STEERS and repeats > CLEAN_REPEATS:
+    if name in STEERS and (repeats > CLEAN_REPEATS or _is_coarse(x)):
+        # A driver holds a wheel still, and rounded angles repeat; the car tells.
         held = [(a, b + 1) for a, b in zip(starts[~short], stops[~short], strict=True)]
-        rows = np.zeros(x.size, dtype=bool)
-        for a, b in held:
-            rows[a:b] = _turns_otherwise(values, a, b)
-        return rows
+        return unanswered(values, name, held)
     if repeats > MOST_REPEATS or elsewhere < same.size / 2:
         return np.zeros(x.size, dtype=bool)
     long = ~short & (stops - starts >= _longest_by_chance(repeats, same.size))
@@ -124,49 +119,17 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     return _rows(starts[long], stops[long] + 1, x.size)
 
 
-def _turns_otherwise(values: Mapping[str, np.ndarray], start: int, stop: int) -> bool:
-    """Whether a car turns in ways that a steer held from row `start` to `stop` cannot bring about.
-
-    A driver holds a wheel still, and rounded angles repeat; then yaw rate over speed stays what it is.
-    """
-    if not {"r", "U"} <= values.keys():
-        return False
-    t, r, U = values["t"], values["r"], values["U"]
-    first = int(np.searchsorted(t, t[start] + SETTLING))
-    bins = ((t[first:stop] - t[min(first, t.size - 1)]) / TURNING_BIN).astype(int)
-    known = np.isfinite(r[first:stop]) & np.isfinite(U[first:stop])
-    if np.unique(bins[known]).size < 3:
-        return False
-    count = np.maximum(np.bincount(bins[known]), 1)
-    turned, speed = (np.bincount(bins[known], one[first:stop][known]) / count for one in (r, U))
-    if speed.min() < STANDSTILL:
-        return False
-    rest = turned - speed * float(turned @ speed) / float(speed @ speed)
-    bend = _bend(r)
-    noise = 1.4826 * float(np.nanmedian(np.abs(bend))) / np.sqrt(1.5 * np.median(count))
-    usual = max(4 * noise, OTHERWISE * float(np.nanstd(r)))
-    return float(rest.std()) > usual and float(rest.std()) > USUAL_REST * _rest_of_turning(values)
+def _is_coarse(x: np.ndarray) -> bool:
+    """Whether a signal moves by a few steps of one size: without noise, a driver may hold it still."""
+    moved = np.diff(x)
+    moved = moved[np.isfinite(moved) & (moved != 0)]
+    return np.unique(np.round(moved / (np.abs(moved).min(initial=np.inf) / 4))).size < MOST_STEPS * moved.size
 
 
-def _rest_of_turning(values: Mapping[str, np.ndarray]) -> float:
-    """Sd of what steer times speed, at its best delay, usually leaves of the yaw rate [rad/s]."""
-    t = values["t"]
-    at = ((t - t[0]) / TURNING_BIN).astype(int)
-    if at[-1] > MOST_BINS:
-        return np.inf
-    asked, turned = values["delta" if "delta" in values else "steering_wheel"] * values["U"], values["r"]
-    known = np.isfinite(asked) & np.isfinite(turned)
-    count = np.bincount(at[known], minlength=at[-1] + 1)
-    there = count > 0
-    x, y = (np.bincount(at[known], one[known], minlength=at[-1] + 1)[there] / count[there]
-            for one in (asked, turned))  # fmt: skip
-    left = []
-    for late in range(3):
-        cause, effect = x[: x.size - late], y[late:]
-        design = np.column_stack([cause, np.ones(cause.size)])
-        fitted = design @ np.linalg.lstsq(design, effect, rcond=None)[0]
-        left.append(1.4826 * float(np.median(np.abs(effect - fitted))))
-    return min(left)
+def cut_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """Rows (n,) in which a sensor is at the end of its range, by its own values or by what the car does."""
+    rows = clipped_rows(values[name])
+    return rows if rows.any() or name not in STEERS else cut_off(values, name)
 
 
 def clipped_rows(x: np.ndarray) -> np.ndarray:

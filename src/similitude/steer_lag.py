@@ -25,18 +25,24 @@ MEASURED_LAG = Uncertain(
     0.010, 0.008, "s"
 )  # buses and filters; the sd over the value is that of the logarithm
 FINE = 0.001  # s: the lags of a measured steer, finer than the scan
+EARLY = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)  # s by which a yaw rate may come before its steer
 COMMAND = 0.03  # s: a measured road wheel does not act this late; a command does
 
 
 @dataclass(frozen=True, eq=False)
 class LagScan:
-    """Lags tried (k,) [s], their cost (k,) above the best [-], and the one chosen [s], with its sd."""
+    """Lags tried (k,) [s], their cost (k,) above the best [-], and the one chosen [s], with its sd.
+
+    ``early`` [s] is by how much the yaw rate comes before the steer that should cause it, which no car
+    does and two clocks do; zero where the log does not speak for it.
+    """
 
     lags: NDArray[np.float64]
     cost: NDArray[np.float64]
     chosen: float
     origin: str
     std: float = 0.0  # of the chosen lag [s]; zero where the vehicle file states it
+    early: float = 0.0
 
 
 def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
@@ -58,17 +64,24 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
         return LagScan(empty, empty, vehicle.steer_lag.value, "vehicle file")
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
     setup = setup.at_rate(RATE)
+    both = _costs(setup, np.concatenate([-np.array(EARLY), lags]))
+    ahead, cost = both[: len(EARLY)], both[len(EARLY) :]
+    best, first = int(np.argmin(cost)), int(np.argmin(ahead))
+    early = EARLY[first] if cost[best] - ahead[first] > CONVINCING else 0.0
+    cost = cost - cost[best]
+    if cost[0] < CONVINCING:
+        return LagScan(lags, cost, *_of_measured(lags, cost), early=early)
+    chosen, std = _vertex(lags, cost, best)
+    return LagScan(lags, cost, chosen, "scanned", std, early)
+
+
+def _costs(setup: Setup, lags: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Costs of lags (k,), in units of independent samples."""
     passes = side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags])
     alone = max(1.0, DEPENDENT / setup.usual_step)
     # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
     shared = np.logical_and.reduce([p.used for p in passes])
-    cost = np.array([p.cost(shared) for p in passes]) / alone
-    cost -= cost.min()
-    best = int(np.argmin(cost))
-    if cost[0] < CONVINCING:
-        return LagScan(lags, cost, *_of_measured(lags, cost))
-    chosen, std = _vertex(lags, cost, best)
-    return LagScan(lags, cost, chosen, "scanned", std)
+    return np.array([p.cost(shared) for p in passes]) / alone
 
 
 def _of_measured(lags: NDArray[np.float64], cost: NDArray[np.float64]) -> tuple[float, str, float]:

@@ -19,8 +19,8 @@ from similitude.inspection.signals import Signals
 from similitude.inspection.slow_relation import SlowRelation
 
 
-def plan(*, lag=0.0, std=0.002, origin="scanned", K=150.0, verdict="identified", commanded=False):
-    scan = SimpleNamespace(chosen=lag, std=std, origin=origin)
+def plan(*, lag=0.0, std=0.002, origin="scanned", K=150.0, verdict="identified", commanded=False, early=0.0):
+    scan = SimpleNamespace(chosen=lag, std=std, origin=origin, early=early)
     return SimpleNamespace(
         scan=scan, commanded=commanded, K=K, K_prior=145.68, K_prior_std=0.5, verdict=verdict
     )
@@ -110,3 +110,9 @@ def test_every_doubt_has_its_four_parts_and_refuses_nothing():
 
     for one in met:
         assert one.what and one.usually and one.paste and one.read and not one.certain
+
+
+def test_a_yaw_rate_before_its_steer_is_two_clocks():
+    (found,) = find_late_steer(plan(origin="assumed", early=0.1), "delta [rad]")
+    assert found.fault == "clocks_apart" and not found.certain
+    assert "100 ms before" in found.what

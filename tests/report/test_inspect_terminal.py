@@ -64,3 +64,17 @@ def test_a_file_of_many_columns_is_cut_and_says_so(tmp_path):
     rows = [",".join(f"c{i} [1]" for i in range(count))] + [",".join(["1"] * count)] * 5
 
     assert "and 7 more, in --json" in shown(inspect_log(write(tmp_path, "\n".join(rows))))
+
+
+def test_what_makes_a_sharp_stiffness_doubtful_stands_in_the_headline():
+    look = inspect_log(DATA / "bmw_m8_double_lane_change.csv", vehicle=read_vehicle(DATA / "bmw_m8.toml"))
+    top = shown(look).split("Findings")[0]
+    assert "in doubt" in top and "scale of steer" in top
+
+
+def test_long_ranges_are_whole_at_80_columns(tmp_path):
+    rows = [(1.7327e9 + 0.02 * i, 1e5 * i - 123456.789) for i in range(100)]
+    text = "t [s],torque of the engine [mNm]\n" + "\n".join(f"{t:.3f},{x:.3f}" for t, x in rows)
+    page = shown(inspect_log(write(tmp_path, text)))
+    assert "1.7e9 + 2.0" in page
+    assert "−1.2e5 … 9.8e6" in page

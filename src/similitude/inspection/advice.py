@@ -22,6 +22,29 @@ UNITS = {"input_offset": "deg", "output_bias": "deg/s"}
 TYPICAL_LENGTH = 2.7  # m, of a car, for a guess without a vehicle file
 
 
+# Findings after which a K is sharp and may yet be wrong: no interval holds them.
+DOUBTFUL = {
+    "steer_scale": "the scale of steer or speed",
+    "steer_against_yaw": "how steer, speed and yaw rate fit",
+    "ay_against_yaw": "how speed, yaw rate and lateral acceleration fit",
+    "speed_unit": "the unit of the speed",
+    "clocks_apart": "the clocks of steer and yaw rate",
+    "clipped": "a sensor at the end of its range",
+    "steer_cut": "a steer that is cut off",
+    "stuck": "a sensor that was stuck",
+    "drives_joined": "two drives in one log",
+}
+
+
+def doubtful(look: Inspection) -> str:
+    """What makes the K of a log that can show it doubtful, as one sentence; empty where nothing does."""
+    if look.prospects is None or look.prospects.verdict == "not_excited" or look.survey.certain:
+        return ""
+    faults = list(dict.fromkeys(one.fault for one in look.findings if one.fault in DOUBTFUL))
+    said = " and ".join(DOUBTFUL[fault] for fault in faults)
+    return f"In doubt: {said}; no interval holds that, see the findings." if said else ""
+
+
 def percent(std: float) -> str:
     """An sd of a logarithm as people read it: ± 12 %."""
     return f"± {100 * std:.2g} %" if std < 0.995 else f"± {100 * std:.0f} %"

@@ -21,6 +21,7 @@ SMALLEST = (0.0, 1e-3, 1e-2)  # share of the changes below the one that may be a
 LARGEST_STEP = 20  # grid steps: larger changes say little about the grid
 ON_GRID = 0.95  # share of the changes that are whole steps, to 0.1 of a step; chance gives 0.2
 LIMIT_SHARE = 0.01  # of the rows at the very extreme ...
+PEAKED = 1.6  # times the rows at an extreme lie within three steps of it: a peak, no limit; a sine has 2
 LIMIT_VISITS = 3  # ... on separate occasions: a signal cut off there
 
 
@@ -97,8 +98,8 @@ def channel(
         fresh=float(np.mean(changed)) if changed.size else 0.0,
         hold=hold,
         resolution=resolution,
-        cut_low=_cut(finite, low),
-        cut_high=_cut(finite, high),
+        cut_low=_cut(finite, low, resolution),
+        cut_high=_cut(finite, high, resolution),
     )
 
 
@@ -170,11 +171,17 @@ def _spread(differences: NDArray[np.float64]) -> float:
     return MAD_TO_STD * float(np.median(np.abs(differences)))
 
 
-def _cut(finite: NDArray[np.float64], extreme: float) -> float:
-    """Share of the rows at an extreme, where it is held often enough to be a limit; else 0."""
+def _cut(finite: NDArray[np.float64], extreme: float, resolution: float | None) -> float:
+    """Share of the rows at an extreme, where it is held often enough to be a limit; else 0.
+
+    A rounded sine comes back to its peak, too, but spends as long in the three steps below it.
+    """
     if extreme == 0:  # standing still, straight ahead
         return 0.0
     there = finite == extreme
+    near = np.count_nonzero(np.abs(finite - extreme) < 3.5 * (resolution or 0.0))
+    if near > PEAKED * np.count_nonzero(there):
+        return 0.0
     visits = int(np.count_nonzero(np.diff(there.astype(np.int8)) == 1)) + int(there[0])
     share = float(np.mean(there))
     return share if LIMIT_SHARE <= share <= 0.5 and visits >= LIMIT_VISITS else 0.0

@@ -61,8 +61,17 @@ def find_coarse_steer(channel: Channel, moves: float) -> list[Finding]:
 
 
 def find_late_steer(plan: Prospects, header: str) -> list[Finding]:
-    """A steer that acts later than its column says."""
+    """A steer that acts later than its column says, or after the yaw rate that it should cause."""
     scan = plan.scan
+    if scan.early:
+        return [Finding(
+            "clocks_apart", False,
+            f"the yaw rate comes about {1000 * scan.early:.0f} ms before column '{header}', which should "
+            "cause it",
+            "steer and yaw rate were logged by two clocks; move one of them.",
+            f"log['t of steer [s]'] = log['t [s]'] - {scan.early:g}   # then interpolate", READ,
+            column=header, value=-scan.early,
+        )]  # fmt: skip
     if scan.origin != "scanned" or scan.chosen < SURE * scan.std or scan.chosen == 0:
         return []
     kind = "it is a command, whose scale is then uncertain by 20 %" if plan.commanded else (

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from similitude.inspection.advice import MEANING, UNITS, outlook, percent, relations
+from similitude.inspection.advice import MEANING, UNITS, doubtful, outlook, percent, relations
 from similitude.inspection.excitation import HARDLY, KINDS, LINEAR, WINDOW, seconds_by_kind
 from similitude.log_quantities import QUANTITIES
 from similitude.report.html_chart import Chart, Line, Span
@@ -84,6 +84,9 @@ def _head(look: Inspection) -> Html:
     else:
         word, tone = ("looked over", "plain") if plan is None else VERDICTS[plan.verdict]
     said = outlook(plan) if plan is not None else ()
+    doubt = doubtful(look)
+    if doubt:
+        word, tone, said = f"{word}, in doubt", "fair", (doubt, *said)
     return lead(paragraph(badge(word, tone), " ", " ".join(said)))
 
 

@@ -13,7 +13,7 @@ from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
-from similitude.inspection.advice import MEANING, UNITS, outlook, percent, relations
+from similitude.inspection.advice import MEANING, UNITS, doubtful, outlook, percent, relations
 from similitude.inspection.excitation import KINDS, seconds_by_kind
 from similitude.report.numerals import DEGREES_PER_RADIAN, plain, pretty_name, pretty_unit
 
@@ -28,6 +28,7 @@ VERDICTS = {
     "weak": ("can be identified weakly", "bold black on orange3"),
     "not_excited": ("nothing to learn", "bold white on grey42"),
 }
+DOUBTED = "bold black on orange3"
 REFUSED = ("refused by identify", "bold white on dark_red")
 LOOKED = ("looked over", "bold white on grey42")
 KIND_STYLES = {
@@ -99,6 +100,9 @@ def _headline(look: Inspection) -> Table:
     plan = look.prospects
     word, style = REFUSED if look.survey.certain else LOOKED if plan is None else VERDICTS[plan.verdict]
     said = outlook(plan) if plan is not None else _counted(look.findings)
+    doubt = doubtful(look)
+    if doubt:
+        word, style, said = f"{word}, in doubt", DOUBTED, (doubt, *said)
     table = Table.grid(padding=(0, 2, 0, 0))
     table.add_row(Text(f" {word} ", style=style), Text(" ".join(said)))
     return table
@@ -147,7 +151,7 @@ def _column(one: Channel, look: Inspection) -> tuple[Text, ...]:
         step = look.clock.step * one.hold if look.clock else 0.0
         noise = "–" if not one.noise else f"{'<' if one.noise_is_bound else ''}{plain(one.noise, 2)}"
         cells = [
-            f"{_short(one.low)} … {_short(one.high)}",
+            _range(one),
             _short(one.mean),
             noise,
             plain(one.resolution, 2) if one.resolution else "–",
@@ -161,8 +165,17 @@ def _column(one: Channel, look: Inspection) -> tuple[Text, ...]:
     )
 
 
+def _range(one: Channel) -> str:
+    """Least and largest value; of a clock that counts from long ago the least, and how long it runs."""
+    if one.taken_for == "t" and abs(one.low) > 1e5:
+        return f"{_short(one.low)} + {_short(one.high - one.low)}"
+    return f"{_short(one.low)} … {_short(one.high)}"
+
+
 def _short(value: float) -> str:
-    """Two digits, and every digit of a number of three and four before the point."""
+    """Two digits, and every digit of a number of three and four before the point; a power from 100 000 on."""
+    if abs(value) >= 1e5:
+        return f"{value:.2g}".replace("e+0", "e").replace("e+", "e").replace("-", "−")
     return plain(value, 2 if abs(value) < 100 else 4)
 
 
