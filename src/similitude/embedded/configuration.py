@@ -20,8 +20,8 @@ from similitude.program.library import Library
 REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
+TIMES = ("s", "1/s")
 ON_TARGET = "reference: state yours with "
-DESIGNED = "design constant of the estimator"
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,11 +110,12 @@ def _stated(source: Source, library: Library, vehicle: Path | None, sample_time:
             paste='CONFIG = {"noise_variance": 1e-6}   # in ' + source.system,
             read=READ,
         )
-    names = {row[0] for row in library.layout.CONFIG}
+    units = {row[0]: row[1] for row in library.layout.CONFIG}
     stated = dict(source.stated or {})
     step = sample_time or float(stated.get("sample_time", 0.0)) or REFERENCE_TIME
-    constants = {n: v for n, v in _constants(source.estimator, step).items() if n in names}
-    values = {**constants, **{n: v for n, v in stated.items() if n in names or n != "sample_time"}}
+    own = _constants(source.estimator, step)
+    constants = {n: v for n, v in own.items() if units.get(n) in ("-", *TIMES) and n not in stated}
+    values = {**constants, **{n: v for n, v in stated.items() if n in units or n != "sample_time"}}
     missing = [row for row in library.layout.CONFIG if row[0] not in values]
     if missing:
         lines = "\n".join(
@@ -127,17 +128,11 @@ def _stated(source: Source, library: Library, vehicle: Path | None, sample_time:
             paste="CONFIG = {" + f"{missing[0][0]!r}: ..." + "}   # in " + f"{source.system}, SI units",
             read=READ,
         )
-    assumed = {
-        "sample_time": (
-            step,
-            "s",
-            "--sample-time"
-            if sample_time
-            else source.system
-            if "sample_time" in stated
-            else f"{ON_TARGET}--sample-time",
-        )
-    }
+    given = "--sample-time" if sample_time else source.system if "sample_time" in stated else ""
+    assumed = {"sample_time": (step, "s", given or f"{ON_TARGET}--sample-time")}
+    for name, value in constants.items():
+        if units[name] in TIMES and name not in ("sample_time", "dt_low", "dt_high"):
+            assumed[name] = (float(value), units[name], f"that of a car: state yours in {source.system}")
     return Numbers(library.config(values), step, assumed)
 
 

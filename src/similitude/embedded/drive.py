@@ -8,12 +8,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.embedded.system import Source
+from similitude.embedded.configuration import find_numbers
+from similitude.embedded.system import Source, find_source
 from similitude.program.library import Library
 
 CLEAN, AFTER = 96, 48  # samples before and after the faults
-SPEED = (14.0, 26.0)  # m/s
-STEER = 0.04  # rad
+FED = 4  # fields of a sample that the monitor shares with its filter
 
 
 def self_test_rows(source: Source, library: Library, config: NDArray, sample_time: float) -> NDArray:
@@ -24,12 +24,12 @@ def self_test_rows(source: Source, library: Library, config: NDArray, sample_tim
     config : the flat configuration, of which the limits are read.
     sample_time : [s].
     """
+    fed = source.estimator == "monitor"
     names = library.names("sample")
-    rows = _excited(library, config, sample_time, len(names))
-    if source.estimator == "monitor":
-        rows = _monitored(rows, names)
-    faults = _faults(rows[CLEAN - 1], names)
-    return np.vstack([rows[:CLEAN], faults, rows[CLEAN:]])
+    taken = names[:FED] if fed else names  # the rest of a monitor's sample is what its filter hands out
+    rows = _excited(library, config, sample_time, len(taken))
+    rows = np.vstack([rows[:CLEAN], _faults(rows[CLEAN - 1], taken), rows[CLEAN:]])
+    return _monitored(rows, names) if fed else rows
 
 
 def _limit(library: Library, config: NDArray, name: str, otherwise: float) -> float:
@@ -79,19 +79,11 @@ def _faults(last: NDArray, names: list[str]) -> NDArray:
 
 
 def _monitored(rows: NDArray, names: list[str]) -> NDArray:
-    """The monitor's rows: the filter's samples, its status, and what the filter handed out."""
-    from similitude.embedded.system import find_source
-    from similitude.filter_config import MEASURED_STEER_SD, filter_config
-    from similitude.embedded.configuration import REFERENCE_L, REFERENCE_NOISE, _reference
-    from similitude.vehicle_file import Vehicle
-    from similitude.vehicle_prior import vehicle_prior
-
-    library = find_source("bicycle", "population").library()
-    prior = vehicle_prior(Vehicle(name="reference car", L=_reference()))
-    config = filter_config(
-        library, prior, L=REFERENCE_L, noise_std=REFERENCE_NOISE, input_scale_sd=MEASURED_STEER_SD
-    )
-    taken = rows[:, [0, 1, 2, -1]].copy()
-    outputs, status = library.run(config, library.start(config), taken)
-    handed = [outputs[:, library.index("output", name)] for name in names[5:]]
-    return np.column_stack([rows[:, 0], taken[:, 1:], status.astype(float), *handed])
+    """The monitor's rows: the samples, the filter's status, and what the filter handed out."""
+    source = find_source("bicycle", "population")
+    library = source.library()
+    config = find_numbers(source, vehicle=None, sample_time=None).values
+    with np.errstate(all="ignore"):
+        outputs, status = library.run(config, library.start(config), rows)
+    handed = [outputs[:, library.index("output", name)] for name in names[FED + 1 :]]
+    return np.column_stack([rows, status.astype(float), *handed])

@@ -18,7 +18,7 @@ import similitude
 from similitude.embedded.costs import Cost, costs_of, missing_tools
 from similitude.embedded.drive import self_test_rows
 from similitude.embedded.configuration import Numbers, find_numbers
-from similitude.embedded.machine import EMULATED, harness
+from similitude.embedded.machine import EMULATED, harness, row_bytes
 from similitude.embedded.page import page_text
 from similitude.embedded.source import print_sources
 from similitude.embedded.system import Source, find_source
@@ -82,8 +82,10 @@ def export(
             (part / name).write_text(text, encoding="utf-8")
         if place.name != "host":
             (part / EMULATED).mkdir()
-            for name, raw in harness(source.library(), place, real, vectors.samples).items():
+            for name, raw in harness(place).items():
                 (part / EMULATED / name).write_bytes(raw)
+            if place.name == "avr":  # its firmware has no room for the self-test's samples
+                (part / EMULATED / "rows.bin").write_bytes(row_bytes(real, vectors.samples))
         cost = costs_of(part, source, real, place, vectors)
         told = _manifest(source, numbers, real, place, texts, cost)
         (part / "README.md").write_text(page_text(told, source.library(), place), encoding="utf-8")

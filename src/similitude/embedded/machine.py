@@ -5,7 +5,6 @@ Invariant: the firmware is the exported files unchanged, behind a harness that f
 
 from __future__ import annotations
 
-import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -69,16 +68,13 @@ def _failed(command: list[str], why: str) -> CompileError:
     )
 
 
-def harness(library: Library, target: Target, real: str, samples: NDArray) -> dict[str, bytes]:
-    """The files of ``emulated/``: what a board needs beside the estimator, and the rows of its self-test."""
+def harness(target: Target) -> dict[str, bytes]:
+    """The files of ``emulated/`` that a board needs beside the estimator."""
     if target.name == "avr":
         names = ["stream_avr.c", "simulate_avr.c"]
     else:
         names = ["stream.c", "board.h", f"board_{board(target)}.c", f"link_{board(target)}.ld"]
-    found = {name: (FIRMWARE / name).read_bytes() for name in names}
-    if target.name == "avr":
-        found["rows.bin"] = row_bytes(real, samples)
-    return found
+    return {name: (FIRMWARE / name).read_bytes() for name in names}
 
 
 def row_bytes(real: str, samples: NDArray) -> bytes:
@@ -110,8 +106,10 @@ def build(folder: Path, library: Library, target: Target, scratch: Path) -> Path
     for stem in (name, f"{name}_self_test"):
         made = ["-c", str(folder / f"{stem}.c"), "-o", str(scratch / f"{stem}.o")]
         run([target.compiler, *flags, *STRICT, f"-I{folder}", *made], scratch)
-    emulated = scratch / "emulated"
-    shutil.copytree(folder / EMULATED, emulated, dirs_exist_ok=True)
+    emulated = scratch / EMULATED
+    emulated.mkdir(exist_ok=True)
+    for file, raw in harness(target).items():
+        (emulated / file).write_bytes(raw)
     line = [
         word.replace("../", f"{folder}/") if word != "-I.." else f"-I{folder}"
         for word in compile_line(name, target)

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from similitude.embedded.targets import BYTES, CONTRACT_OFF
 from similitude.errors import ProgramError
 
+FED = " in the first four fields (the others are what the filter's step handed out)"
+
 _HEADER = """\
 /* {name}.h: {title}. Exported by similitude {version}; do not edit.
  *
@@ -25,8 +27,8 @@ _HEADER = """\
  *   Time       bounded: a step has no loop and at most {most} operations; saving and restoring loop a
  *              constant number of times.
  *   Names      every symbol begins with {name}_.
- *   Samples    any bits may come in, NaN and infinity included. A sample that cannot be used changes the
- *              status, never the ability to use the next one; what goes out is always finite.
+ *   Samples    any bits may come in{except_fed}, NaN and infinity included. A sample that cannot be
+ *              used changes the status, never the ability to use the next one; what goes out is finite.
  *   Status     the names of the Python package: {names}.
  *   Bits       every operation rounds once, in the order written: with fused multiply-add forbidden
  *              (-ffp-contract=off) every IEEE-754 target gives the same bits as the host.
@@ -106,15 +108,16 @@ SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
     return {name}_advance(config, state, sample, output);
 }}
 
-/* CRC-32 (IEEE 802.3) of n bytes after those it was begun with. */
-static unsigned long {name}_checksum(unsigned long crc, const unsigned char *bytes, unsigned long n)
+/* CRC-32 (IEEE 802.3) of n bytes, without its last inversion. */
+static unsigned long {name}_checksum(const unsigned char *bytes, unsigned long n)
 {{
+    unsigned long crc = 0xFFFFFFFFUL;
     unsigned long i;
     unsigned int bit;
-    for (i = 0ul; i < n; ++i) {{
+    for (i = 0UL; i < n; ++i) {{
         crc = crc ^ (unsigned long)bytes[i];
         for (bit = 0u; bit < 8u; ++bit) {{
-            crc = ((crc & 1ul) != 0ul) ? ((crc >> 1u) ^ 0xEDB88320ul) : (crc >> 1u);
+            crc = ((crc & 1UL) != 0UL) ? ((crc >> 1u) ^ 0xEDB88320UL) : (crc >> 1u);
         }}
     }}
     return crc;
@@ -124,15 +127,15 @@ static void {name}_put(unsigned char *bytes, unsigned long word)
 {{
     unsigned int i;
     for (i = 0u; i < 4u; ++i) {{
-        bytes[i] = (unsigned char)((word >> (8u * i)) & 0xFFul);
+        bytes[i] = (unsigned char)((word >> (8u * i)) & 0xFFUL);
     }}
 }}
 
 /* What 8 bytes before a state must be: of which version, for which configuration. */
 static void {name}_label(const {name}_config *config, unsigned char *bytes)
 {{
-    {name}_put(bytes, 0x{version_word:08X}ul); /* of the structs and the real */
-    {name}_put(&bytes[4], {name}_checksum(0xFFFFFFFFul, (const unsigned char *)config, sizeof(*config)));
+    {name}_put(bytes, 0x{version_word:08X}UL); /* of the structs and the real */
+    {name}_put(&bytes[4], {name}_checksum((const unsigned char *)config, sizeof(*config)));
 }}
 
 void {name}_save(const {name}_config *config, const {name}_state *state, unsigned char *bytes)
@@ -140,11 +143,11 @@ void {name}_save(const {name}_config *config, const {name}_state *state, unsigne
     const unsigned char *const from = (const unsigned char *)state;
     unsigned long i;
     {name}_label(config, bytes);
-    for (i = 0ul; i < sizeof(*state); ++i) {{
-        bytes[8ul + i] = from[i];
+    for (i = 0UL; i < sizeof(*state); ++i) {{
+        bytes[8UL + i] = from[i];
     }}
-    {name}_put(&bytes[8ul + sizeof(*state)],
-               {name}_checksum(0xFFFFFFFFul, bytes, 8ul + sizeof(*state)));
+    {name}_put(&bytes[8UL + sizeof(*state)],
+               {name}_checksum(bytes, 8UL + sizeof(*state)));
 }}
 
 int {name}_restore(const {name}_config *config, {name}_state *state, const unsigned char *bytes)
@@ -154,21 +157,21 @@ int {name}_restore(const {name}_config *config, {name}_state *state, const unsig
     unsigned int differ = 0u;
     unsigned long i;
     {name}_label(config, wanted);
-    {name}_put(&wanted[8], {name}_checksum(0xFFFFFFFFul, bytes, 8ul + sizeof(*state)));
-    for (i = 0ul; i < 8ul; ++i) {{
+    {name}_put(&wanted[8], {name}_checksum(bytes, 8UL + sizeof(*state)));
+    for (i = 0UL; i < 8UL; ++i) {{
         differ |= (unsigned int)(wanted[i] ^ bytes[i]);
     }}
-    for (i = 0ul; i < 4ul; ++i) {{
-        differ |= (unsigned int)(wanted[8ul + i] ^ bytes[8ul + sizeof(*state) + i]);
+    for (i = 0UL; i < 4UL; ++i) {{
+        differ |= (unsigned int)(wanted[8UL + i] ^ bytes[8UL + sizeof(*state) + i]);
     }}
-    if (differ != 0u) {{
+    if (differ == 0u) {{
+        for (i = 0UL; i < sizeof(*state); ++i) {{
+            to[i] = bytes[8UL + i];
+        }}
+    }} else {{
         {name}_init(config, state);
-        return (int){upper}_RESTARTED;
     }}
-    for (i = 0ul; i < sizeof(*state); ++i) {{
-        to[i] = bytes[8ul + i];
-    }}
-    return (int){upper}_OK;
+    return (differ == 0u) ? (int){upper}_OK : (int){upper}_RESTARTED;
 }}
 """
 
@@ -257,6 +260,7 @@ def print_sources(
         "names": ", ".join(status),
         "declarations": parts.declarations,
         "bodies": parts.bodies,
+        "except_fed": FED if name.endswith("_monitor") else "",
         "contract_off": CONTRACT_OFF,
         "version_word": int(hashlib.sha256((real + parts.declarations).encode()).hexdigest()[:8], 16),
     }

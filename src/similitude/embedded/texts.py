@@ -64,8 +64,8 @@ typedef union {name}_word {{
 static unsigned long {name}_differ(const {name}_real *values, const {word} *wanted, unsigned long n)
 {{
     unsigned long i;
-    unsigned long count = 0ul;
-    for (i = 0ul; i < n; ++i) {{
+    unsigned long count = 0UL;
+    for (i = 0UL; i < n; ++i) {{
         {name}_word now;
         now.value = values[i];
         if (now.bits != {upper}_READ(&wanted[i])) {{
@@ -80,7 +80,7 @@ static unsigned long {name}_saving({name}_state *state)
 {{
     unsigned char bytes[{upper}_SAVED_BYTES];
     {name}_state other;
-    unsigned long wrong = 0ul;
+    unsigned long wrong = 0UL;
     {name}_save(&{name}_numbers, state, bytes);
     bytes[11] = (unsigned char)(bytes[11] ^ 4u);
     if ({name}_restore(&{name}_numbers, &other, bytes) != (int){upper}_RESTARTED) {{
@@ -96,34 +96,34 @@ static unsigned long {name}_saving({name}_state *state)
 unsigned long {name}_self_test(unsigned long *first_sample)
 {{
     {name}_state state;
-    unsigned long wrong = 0ul;
-    unsigned long first = (unsigned long){upper}_SELF_TEST_SAMPLES + 1ul;
+    unsigned long wrong = 0UL;
+    unsigned long first = (unsigned long){upper}_SELF_TEST_SAMPLES + 1UL;
     unsigned long k;
     {name}_init(&{name}_numbers, &state);
-    for (k = 0ul; k < (unsigned long){upper}_SELF_TEST_SAMPLES; ++k) {{
+    for (k = 0UL; k < (unsigned long){upper}_SELF_TEST_SAMPLES; ++k) {{
         {name}_sample sample;
         {name}_output output;
         {name}_real *const into = &sample.{first_field};
         unsigned long before = wrong;
         unsigned long i;
-        for (i = 0ul; i < {fields}ul; ++i) {{
+        for (i = 0UL; i < {fields}UL; ++i) {{
             {name}_word word;
-            word.bits = {upper}_READ(&{name}_samples[({fields}ul * k) + i]);
+            word.bits = {upper}_READ(&{name}_samples[({fields}UL * k) + i]);
             into[i] = word.value;
         }}
         if ({name}_step(&{name}_numbers, &state, &sample, &output) != (int){upper}_READ_BYTE(&{name}_status_wanted[k])) {{
             ++wrong;
         }}
-        wrong += {name}_differ(&output.{first_output}, &{name}_outputs[{outputs}ul * k], {outputs}ul);
-        if (k == ((unsigned long){upper}_SELF_TEST_SAMPLES / 2ul)) {{
+        wrong += {name}_differ(&output.{first_output}, &{name}_outputs[{outputs}UL * k], {outputs}UL);
+        if (k == ((unsigned long){upper}_SELF_TEST_SAMPLES / 2UL)) {{
             wrong += {name}_saving(&state);
         }}
         if ((wrong != before) && (first > k)) {{
             first = k;
         }}
     }}
-    wrong += {name}_differ(&state.{first_state}, {name}_last_state, {states}ul);
-    if ((wrong != 0ul) && (first > k)) {{
+    wrong += {name}_differ(&state.{first_state}, {name}_last_state, {states}UL);
+    if ((wrong != 0UL) && (first > k)) {{
         first = k;
     }}
     if (first_sample != (unsigned long *)0) {{
@@ -197,7 +197,7 @@ int main(void)
 {{
     unsigned char kept[{upper}_SAVED_BYTES]; /* in your EEPROM or flash */
     int k;
-    if ({name}_self_test((unsigned long *)0) != 0ul) {{
+    if ({name}_self_test((unsigned long *)0) != 0UL) {{
         return 1; /* this build does not give the bits it must: see README.md */
     }}
     {name}_init(&{name}_numbers, &state);
@@ -283,9 +283,9 @@ def _first(rows: tuple) -> str:
 
 
 def _table(bits: NDArray, real: str) -> str:
-    digits, end = (8, "u") if real == "float" else (16, "ull")
+    digits, end = (8, "u") if real == "float" else (16, "ULL")
     if real == "float":
-        end = "ul"
+        end = "UL"
     return "\n".join(
         "    " + ", ".join(f"0x{int(word):0{digits}X}{end}" for word in row) + "," for row in bits
     )
