@@ -23,6 +23,7 @@ import numpy as np
 
 from similitude.change_alarm import monitored
 from similitude.embedded.costs import Cost, measure, missing_tools
+from similitude.embedded.drive import self_test_rows
 from similitude.embedded.folder import export
 from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.targets import TARGETS
@@ -163,9 +164,9 @@ def _one(
         )
         verified = verify_folder(folder)
         outputs, states = len(library.layout.OUTPUT), len(library.names("state"))
-        wanted = on_host(
-            source.name, source.c, done.numbers.values, rows_of(estimator, rows), outputs, states
-        )
+        faulty = self_test_rows(source, library, done.numbers.values, step)
+        driven = np.vstack([faulty, rows_of(estimator, rows)])
+        wanted = on_host(source.name, source.c, done.numbers.values, driven, outputs, states)
         for target in targets:
             scratch = Path(place, target.name)
             scratch.mkdir()

@@ -167,7 +167,7 @@ def _alarms(name: str, folder: Path, file: str) -> int:
         "none",
         f"-cpp-extra-args=-D{CONTRACT_OFF}",
     ]
-    done = run(["frama-c", *flags, "eva_main.c", file], folder)
+    done = run(["frama-c", *flags, str(folder / "eva_main.c"), str(folder / file)], folder)
     found = re.search(r"(\d+) alarms? generated", done.stdout)
     return int(found.group(1)) if found else -1
 

@@ -14,7 +14,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-import similitude
 from similitude.embedded.costs import Cost, costs_of, missing_tools
 from similitude.embedded.drive import self_test_rows
 from similitude.embedded.configuration import Numbers, find_numbers
@@ -122,7 +121,7 @@ def _version() -> str:
     try:
         return version("similitude")
     except PackageNotFoundError:
-        return getattr(similitude, "__version__", "from its source")
+        return "run from its source"
 
 
 def _manifest(

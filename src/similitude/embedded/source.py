@@ -127,7 +127,7 @@ static void {name}_put(unsigned char *bytes, unsigned long word)
 {{
     unsigned int i;
     for (i = 0u; i < 4u; ++i) {{
-        bytes[i] = (unsigned char)((word >> (8u * i)) & 0xFFUL);
+        bytes[i] = (unsigned char)((word >> (8UL * (unsigned long)i)) & 0xFFUL);
     }}
 }}
 
