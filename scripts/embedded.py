@@ -126,7 +126,8 @@ def main() -> int:
     for fault in faults:
         print(f"FAILED {fault}")
     print(
-        f"{'failed' if faults else 'all bits equal, all budgets kept'} in {time.process_time():.0f} s of this process"
+        "failed" if faults else "all bits equal, all budgets kept",
+        f"in {time.process_time():.0f} s of this process",
     )
     return 1 if faults else 0
 

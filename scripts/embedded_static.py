@@ -1,4 +1,4 @@
-"""Static evidence for the exported C: warnings, MISRA, sanitizers, branches taken, absence of run-time errors.
+"""Static evidence for the exported C: warnings, MISRA, sanitizers, branches, absence of run-time errors.
 
 Each check runs where its tool is present and says so in a line where it is not:
 

@@ -1,5 +1,8 @@
 """Numbers of an export: from the vehicle file, the user's CONFIG, or a reference car that is named."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -9,13 +12,7 @@ from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.verify import verify_folder
 from similitude.errors import UsageError
 
-from ..small_systems import spring
-
-FILE = """\
-from similitude.groups import reparameterize
-{model}
-CONFIG = {config}
-"""
+PAGE = Path(__file__).parents[2] / "docs" / "embedded.md"
 NAMES = [(system, estimator) for system, all_of in SHIPPED.items() for estimator in all_of]
 
 
@@ -37,33 +34,19 @@ def test_a_vehicle_file_replaces_the_reference(tmp_path):
     assert numbers.assumed["sample_time"][2] == "--sample-time"
 
 
-def spring_file(tmp_path, config):
-    """A file of the spring of small_systems, as a user would write it."""
+def spring_file(tmp_path, *without):
+    """The spring of docs/embedded.md, its CONFIG without some numbers."""
+    (text,) = re.findall(r"```python\n(.*?)```", PAGE.read_text(), re.S)
+    for name in without:
+        text, found = re.subn(rf'"{name}": [^,]+,', "", text)
+        assert found == 1
     path = tmp_path / "spring.py"
-    path.write_text(
-        f"import pathlib\nfrom tests.small_systems import spring\nREDUCTION = spring().reduction\nCONFIG = {config!r}\n"
-    )
+    path.write_text(text)
     return path
 
 
-def spring_config():
-    case = spring()
-    prior = np.array([case.prior[u.name] for u in case.reduction.unknowns])
-    config = {name: case.truth[name] for name in ("m", "reach", "tau")}
-    config |= {
-        "stiffness_prior": 1.0, "damping_prior": 0.6, "P_prior": [float(prior[0, 1] ** 2), 0.0, float(prior[1, 1] ** 2)],
-        "prior_information": 1 / 0.09, "stiffness_low": 0.1, "stiffness_high": 1.9, "damping_low": 0.25,
-        "damping_high": 1.5, "input_scale_sd": 1e-3, "input_scale_low": 0.9, "input_scale_high": 1.1,
-        "x_star_sd": 1.0, "v_star_sd": 1.0, "noise_variance": 4e-8, "input_limit": 200.0, "output_limit": 1.0,
-        "signal_limit": 1.0, "validity_limit": 1.0, "input_offset_sd": 2e-3, "output_bias_sd": 2e-4,
-        "bias_drift": 0.0, "disturbance_floor": 2e-3,
-    }  # fmt: skip
-    return config
-
-
-def test_a_system_of_the_users_own_is_exported_and_passes(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(str(__import__("pathlib").Path(__file__).parents[2]))
-    path = spring_file(tmp_path, spring_config())
+def test_a_system_of_the_users_own_is_exported_and_passes(tmp_path):
+    path = spring_file(tmp_path)
     done = export(str(path), estimator="population", real="float", target="host", out=tmp_path / "firmware")
 
     assert done.name == "spring_population"
@@ -71,11 +54,8 @@ def test_a_system_of_the_users_own_is_exported_and_passes(tmp_path, monkeypatch)
     assert verify_folder(done.folder).words > 1000
 
 
-def test_open_numbers_are_listed_with_their_units(tmp_path, monkeypatch):
-    monkeypatch.syspath_prepend(str(__import__("pathlib").Path(__file__).parents[2]))
-    config = spring_config()
-    del config["tau"], config["disturbance_floor"]
-    source = find_source(str(spring_file(tmp_path, config)), "population")
+def test_open_numbers_are_listed_with_their_units(tmp_path):
+    source = find_source(str(spring_file(tmp_path, "tau", "bias_drift")), "population")
     with pytest.raises(UsageError, match="leaves 2 numbers of spring_population open") as caught:
         find_numbers(source, vehicle=None, sample_time=None)
     assert "'tau': ...,  # [s] a time to measure by" in caught.value.what

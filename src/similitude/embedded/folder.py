@@ -14,9 +14,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from similitude.embedded.configuration import Numbers, find_numbers
 from similitude.embedded.costs import Cost, costs_of, missing_tools
 from similitude.embedded.drive import self_test_rows
-from similitude.embedded.configuration import Numbers, find_numbers
 from similitude.embedded.machine import EMULATED, harness, row_bytes
 from similitude.embedded.page import page_text
 from similitude.embedded.source import print_sources

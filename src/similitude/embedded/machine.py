@@ -62,7 +62,7 @@ def run(command: list[str], cwd: Path) -> str:
 def _failed(command: list[str], why: str) -> CompileError:
     return CompileError(
         f"{Path(command[0]).name} {why}",
-        usually="the tool is of a version that has not been tried, or the part is too small for the estimator.",
+        usually="the tool is of a version that was not tried, or the part is too small for the estimator.",
         paste=" ".join(command[:1]) + " --version",
         read=READ,
     )

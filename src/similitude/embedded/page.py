@@ -12,14 +12,15 @@ from similitude.program.library import Library
 _PAGE = """\
 # {name}
 
-{title}. Exported by similitude from {system}: estimator `{estimator}`, reals `{real}`, target `{target}` ({words}).
+{title}. Exported by similitude from {system}: estimator `{estimator}`,
+reals `{real}`, target `{target}` ({words}).
 
 | File | What it is |
 |---|---|
 | `{name}.h` | the contract, the structs, five functions; read this first |
 | `{name}.c` | the estimator; the step is the same text that runs on a PC |
 | `{name}_config.h` | its numbers, with units; yours to change |
-| `{name}_self_test.c`, `.h`, `{name}_vectors.h` | {samples} samples, faults among them, and the {compared} words that must follow |
+| `{name}_self_test.c`, `.h`, `{name}_vectors.h` | {samples} samples with faults, and {compared} words |
 | `example_main.c` | how it is used, start to finish |
 {emulated_row}| `evidence.json` | target, cost, numbers taken, SHA-256 of each file |
 
@@ -76,8 +77,8 @@ On your own board call `{name}_self_test(0)` once: it returns the number of word
 
 {numbers}
 
-All are in `{name}_config.h`, in SI units. The self-test holds for those that were exported: after a change, run
-`similitude export` again.
+All are in `{name}_config.h`, in SI units. The self-test holds for those that were exported: after a
+change, run `similitude export` again.
 """
 
 _COST = """\
@@ -97,9 +98,9 @@ _COST = """\
 
 Measured by {compiler} and {emulator} when this folder was written. {what}"""
 
-_INSTRUCTIONS = """One instruction is one retired instruction of
-the emulated core, counted from before the call of the step to after its return, an empty call subtracted; memory
-wait states and pipeline stalls of a real part are not in it."""
+_INSTRUCTIONS = """One instruction is one that the
+emulated core retired, counted from before the call of the step to after its return, an empty call subtracted;
+wait states and stalls of a real part are not in it."""
 _CYCLES = """Cycles are those of the emulated core
 from before the call of the step to after its return."""
 
@@ -200,7 +201,7 @@ def _cost(told: dict, target: Target) -> str:
         return _COST.format(**cost, emulator=emulator, what=what)
     state = f"The state takes {size * told['state_reals']} B of RAM."
     if target.name == "host":
-        return f"{state} Time, flash and stack are measured for microcontrollers: export with another `--target`."
+        return f"{state} Time, flash and stack are measured on microcontrollers: another `--target`."
     return (
         f"{state} The rest was not measured: this machine lacked {', '.join(told['missing'])}. "
         f"On Debian `apt-get install {target.packages}`, then run the same `similitude export` again."

@@ -30,6 +30,7 @@ MAKERS = {
     "output_error": ("output_error", "output_error_method"),
     "robust": ("robust", "robust_regression"),
 }
+LINE = "similitude export {system} --estimator {estimator} --real float --target cortex-m4f --out firmware"
 READ = 'docs/embedded.md, "A system of your own"'
 
 
@@ -69,7 +70,7 @@ def find_source(system: str, estimator: str) -> Source:
         near = difflib.get_close_matches(estimator, ESTIMATORS, n=1)
         raise UsageError(
             f"--estimator '{estimator}' is not exported; there are {', '.join(ESTIMATORS)}",
-            usually="the batch fit was meant, which needs the whole log: the population filter runs on a target.",
+            usually="the batch fit was meant, which needs the whole log; the population filter does not.",
             paste=f"--estimator {near[0] if near else 'population'}",
             read='docs/embedded.md, "The command"',
         )
@@ -79,14 +80,14 @@ def find_source(system: str, estimator: str) -> Source:
         raise UsageError(
             f"'{system}' is no shipped system and no file; there are {' and '.join(SHIPPED)}",
             usually="a file of your own was meant, and its ending .py left out.",
-            paste=f"similitude export {system}.py --estimator {estimator} --real float --target cortex-m4f --out firmware",
+            paste=LINE.format(system=f"{system}.py", estimator=estimator),
             read=READ,
         )
     if estimator not in SHIPPED[system]:
         raise UsageError(
             f"{system} ships no estimator '{estimator}', only {', '.join(SHIPPED[system])}",
             usually="the regressions and the monitor take the linear bicycle.",
-            paste=f"similitude export bicycle --estimator {estimator} --real float --target cortex-m4f --out firmware",
+            paste=LINE.format(system="bicycle", estimator=estimator),
             read='docs/embedded.md, "The command"',
         )
     name = f"{system}_{estimator}"

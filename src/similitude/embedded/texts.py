@@ -106,12 +106,14 @@ unsigned long {name}_self_test(unsigned long *first_sample)
         {name}_real *const into = &sample.{first_field};
         unsigned long before = wrong;
         unsigned long i;
+        int status;
         for (i = 0UL; i < {fields}UL; ++i) {{
             {name}_word word;
             word.bits = {upper}_READ(&{name}_samples[({fields}UL * k) + i]);
             into[i] = word.value;
         }}
-        if ({name}_step(&{name}_numbers, &state, &sample, &output) != (int){upper}_READ_BYTE(&{name}_status_wanted[k])) {{
+        status = {name}_step(&{name}_numbers, &state, &sample, &output);
+        if (status != (int){upper}_READ_BYTE(&{name}_status_wanted[k])) {{
             ++wrong;
         }}
         wrong += {name}_differ(&output.{first_output}, &{name}_outputs[{outputs}UL * k], {outputs}UL);
@@ -177,7 +179,8 @@ static const {word} {name}_last_state[{n_state}] {upper}_ROM = {{
 _EXAMPLE = """\
 /* example_main.c: how {name} is used. It runs as it is, on a target or on a PC:
  *
- *   cc -std=c99 -O2 -ffp-contract=off -D{contract} example_main.c {name}.c {name}_self_test.c -o example && ./example
+ *   cc -std=c99 -O2 -ffp-contract=off -D{contract} example_main.c {name}.c {name}_self_test.c -o example
+ *   ./example
  *
  * and ends with 0 where the self-test found no differing word and a drive could be estimated. */
 

@@ -117,9 +117,10 @@ def _compare(program: Path, told: dict, level: str, folder: Path) -> None:
     if wrong:
         where = f"sample {first}" if first < told["self_test"]["samples"] else "the last state"
         raise SelfTestError(
-            f"{wrong} of {told['self_test']['words']} words of {told['name']} differ with {level}, first in {where}",
-            usually=f"a number in {told['name']}_config.h was changed after the export (the vectors hold for the "
-            "old ones), or a file of the folder was edited.",
+            f"{wrong} of {told['self_test']['words']} words of {told['name']} differ with {level}, "
+            f"first in {where}",
+            usually=f"a number in {told['name']}_config.h was changed after the export (the vectors hold for "
+            "the old ones), or a file of the folder was edited.",
             paste="similitude export ... --out NEW   # the same command again, with the new numbers",
             read=READ,
         )
