@@ -100,6 +100,8 @@ def _tell(done) -> None:
     typer.echo(f"{done.folder}: {done.name}, {len(done.files)} files; start with README.md")
     for name, (value, unit, origin) in done.numbers.assumed.items():
         typer.echo(f"  {name} = {value:.6g} {unit}  ({origin})")
+    if done.advice:
+        typer.echo(f"  {done.advice}")
     cost = done.cost
     if cost is not None:
         typer.echo(

@@ -11,12 +11,13 @@ import shlex
 import shutil
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from similitude.embedded.configuration import Numbers, find_numbers
 from similitude.embedded.costs import Cost, costs_of, missing_tools
 from similitude.embedded.drive import self_test_rows
+from similitude.embedded.guard import check_sections
 from similitude.embedded.machine import EMULATED, harness, row_bytes
 from similitude.embedded.page import page_text
 from similitude.embedded.source import print_sources
@@ -40,6 +41,7 @@ class Export:
     numbers: Numbers
     cost: Cost | None
     missing: tuple[str, ...]  # tools without which it could not be measured
+    advice: str  # what rounding does to the filters, where it shows
 
 
 def export(
@@ -76,6 +78,9 @@ def export(
     source = find_source(system, estimator)
     numbers = find_numbers(source, vehicle=vehicle, sample_time=sample_time)
     texts, vectors = _texts(source, numbers, real)
+    guard = check_sections(
+        source.library(), numbers.values, estimator=estimator, real=real, sample_time=numbers.sample_time
+    )
     with _beside(out) as part:
         for name, text in texts.items():
             (part / name).write_text(text, encoding="utf-8")
@@ -87,11 +92,12 @@ def export(
                 (part / EMULATED / "rows.bin").write_bytes(row_bytes(real, vectors.samples))
         cost = costs_of(part, source, real, place, vectors)
         told = _manifest(source, numbers, real, place, texts, cost)
+        told["filters"] = None if guard is None else asdict(guard)
         (part / "README.md").write_text(page_text(told, source.library(), place), encoding="utf-8")
         (part / MANIFEST).write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
         files = tuple(sorted(path.name for path in part.iterdir() if path.is_file()))
         _move(part, out)
-    return Export(out, source.name, files, numbers, cost, missing_tools(place))
+    return Export(out, source.name, files, numbers, cost, missing_tools(place), guard.advice if guard else "")
 
 
 def _texts(source: Source, numbers: Numbers, real: str) -> tuple[dict[str, str], Vectors]:

@@ -209,7 +209,14 @@ def _cost(told: dict, target: Target) -> str:
 
 
 def _numbers(told: dict) -> str:
-    return "\n".join(
+    lines = "\n".join(
         f"- `{name}` = {value['value']:.6g} {value['unit']} ({value['from']})"
         for name, value in told["assumed"].items()
+    )
+    found = told["filters"]
+    if found is None:
+        return lines
+    return (
+        f"{lines}\n\nThe filters, rounded to `{told['real']}`, have poles up to {found['pole_radius']:.6f}; "
+        f"rounding in them is\n{found['rounding']:.1g} of the sensor's noise behind them."
     )
