@@ -200,9 +200,12 @@ def _reads(statement: Statement) -> set[sp.Symbol]:
 
 
 def _only(body: tuple[Statement, ...], read: set[str]) -> tuple[Statement, ...]:
-    """The statements of a body whose target is read, guards included."""
-    return tuple(
-        replace(s, body=_only(s.body, read), otherwise=_only(s.otherwise, read)) if isinstance(s, When) else s
-        for s in body
-        if isinstance(s, When) or s.target in read
-    )
+    """The statements of a body whose target is read, and the guards that still guard something."""
+    kept: list[Statement] = []
+    for s in body:
+        if not isinstance(s, When):
+            kept += [s] if s.target in read else []
+            continue
+        shorter = replace(s, body=_only(s.body, read), otherwise=_only(s.otherwise, read))
+        kept += [shorter] if shorter.body or shorter.otherwise else []
+    return tuple(kept)
