@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy alarms spacing ladder cross-check damage clean
+.PHONY: demo test check fuzz bench accuracy alarms spacing ladder cross-check damage embedded clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -43,6 +43,11 @@ cross-check: $(DEV)
 
 damage: $(DEV)
 	$(BIN)/python scripts/damage.py
+
+# Installs no tool; those of docs/embedded.md, "Targets", that are here are used, the others are named.
+embedded: $(DEV)
+	$(BIN)/python scripts/embedded.py
+	$(BIN)/python scripts/embedded_static.py
 
 $(FUZZ): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,fuzz]'

@@ -41,7 +41,8 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli",
+    "embedded",
+    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli_export cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

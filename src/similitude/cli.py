@@ -21,6 +21,7 @@ import typer
 from similitude.cli_analyze import analyze
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
+from similitude.cli_export import export
 from similitude.cli_inspect import inspect
 from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
@@ -136,6 +137,7 @@ app.command()(inspect)
 app.command()(analyze)
 app.command()(simulate)
 app.command()(compare)
+app.command()(export)
 
 
 @app.command()

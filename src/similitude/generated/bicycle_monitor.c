@@ -4,7 +4,7 @@
  *   base: m, L, U
  *   follows: K; held: K, pi1, eta, rho
  *
- * Operations: step 1214 at most, 6 at least (arithmetic, comparisons, selects), init 0.
+ * Operations: step 1172 at most, 6 at least (arithmetic, comparisons, selects), init 0.
  * Memory: state 59 reals, configuration 39 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -174,6 +174,7 @@ typedef struct bicycle_monitor_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_monitor_init(const bicycle_monitor_config *config, bicycle_monitor_state *state)
 {
+    (void)config;
     bicycle_monitor_real *const P = state->P;
     bicycle_monitor_real K_held;
     bicycle_monitor_real age_fall;
@@ -714,8 +715,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real E1_fall = i0_fall + i1_fall - i1_fall*p1_fall;
         const bicycle_monitor_real H0_fall = R(0.5)*h*i0_fall + R(0.25)*h*i1_fall*p0_fall; /* change per rate over half a step */
         const bicycle_monitor_real H1_fall = R(0.5)*h*i1_fall + R(0.25)*h*i1_fall*p1_fall - R(0.25)*h*i0_fall;
-        const bicycle_monitor_real m0_fall = (E0_fall*E0_fall) - p0_fall*(E1_fall*E1_fall);
-        const bicycle_monitor_real m1_fall = R(2.0)*E0_fall*E1_fall - p1_fall*(E1_fall*E1_fall);
         const bicycle_monitor_real g0_fall = H0_fall*(R(1.0) + E0_fall) - E1_fall*H1_fall*p0_fall;
         const bicycle_monitor_real g1_fall = E1_fall*H0_fall + H1_fall*(R(1.0) + E0_fall) - E1_fall*H1_fall*p1_fall;
         const bicycle_monitor_real wi0_fall = (-p0_fall*(R(0.4375) + R(0.1875)*p1_fall));
@@ -724,10 +723,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real wh1_fall = i0_fall*wi1_fall + i1_fall*wi0_fall - i1_fall*p1_fall*wi1_fall;
         const bicycle_monitor_real w0_fall = i0_fall*wh0_fall - i1_fall*p0_fall*wh1_fall; /* W/h in powers of J */
         const bicycle_monitor_real w1_fall = i0_fall*wh1_fall + i1_fall*wh0_fall - i1_fall*p1_fall*wh1_fall;
-        const bicycle_monitor_real M_00_fall = m0_fall + J_00_fall*m1_fall; /* dx+/dx */
-        const bicycle_monitor_real M_01_fall = J_01_fall*m1_fall;
-        const bicycle_monitor_real M_10_fall = J_10_fall*m1_fall;
-        const bicycle_monitor_real M_11_fall = m0_fall + J_11_fall*m1_fall;
         const bicycle_monitor_real G_00_fall = g0_fall + J_00_fall*g1_fall; /* change per rate */
         const bicycle_monitor_real G_01_fall = J_01_fall*g1_fall;
         const bicycle_monitor_real G_10_fall = J_10_fall*g1_fall;
@@ -741,8 +736,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real rise_r_star_fall_fall = f_r_star_fall_u_plain_fall*ramp_0_fall + ramp_1_fall*slope1_r_star_fall_fall;
         const bicycle_monitor_real d_v_star_fall_fall = rise_v_star_fall_fall + G_00_fall*f_v_star_fall_fall + G_01_fall*f_r_star_fall_fall; /* change over the step [-] */
         const bicycle_monitor_real d_r_star_fall_fall = rise_r_star_fall_fall + G_10_fall*f_v_star_fall_fall + G_11_fall*f_r_star_fall_fall; /* change over the step [-] */
-        const bicycle_monitor_real F_v_star_fall_u_plain_fall = G_00_fall*f_v_star_fall_u_plain_fall + G_01_fall*f_r_star_fall_u_plain_fall;
-        const bicycle_monitor_real F_r_star_fall_u_plain_fall = G_10_fall*f_v_star_fall_u_plain_fall + G_11_fall*f_r_star_fall_u_plain_fall;
         v_star_fall = d_v_star_fall_fall + v_star_fall;
         r_star_fall = d_r_star_fall_fall + r_star_fall;
         const bicycle_monitor_real inv0_rise = (R(1.0)/rho_held);
@@ -779,8 +772,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real E1_rise = i0_rise + i1_rise - i1_rise*p1_rise;
         const bicycle_monitor_real H0_rise = R(0.5)*h*i0_rise + R(0.25)*h*i1_rise*p0_rise; /* change per rate over half a step */
         const bicycle_monitor_real H1_rise = R(0.5)*h*i1_rise + R(0.25)*h*i1_rise*p1_rise - R(0.25)*h*i0_rise;
-        const bicycle_monitor_real m0_rise = (E0_rise*E0_rise) - p0_rise*(E1_rise*E1_rise);
-        const bicycle_monitor_real m1_rise = R(2.0)*E0_rise*E1_rise - p1_rise*(E1_rise*E1_rise);
         const bicycle_monitor_real g0_rise = H0_rise*(R(1.0) + E0_rise) - E1_rise*H1_rise*p0_rise;
         const bicycle_monitor_real g1_rise = E1_rise*H0_rise + H1_rise*(R(1.0) + E0_rise) - E1_rise*H1_rise*p1_rise;
         const bicycle_monitor_real wi0_rise = (-p0_rise*(R(0.4375) + R(0.1875)*p1_rise));
@@ -789,10 +780,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real wh1_rise = i0_rise*wi1_rise + i1_rise*wi0_rise - i1_rise*p1_rise*wi1_rise;
         const bicycle_monitor_real w0_rise = i0_rise*wh0_rise - i1_rise*p0_rise*wh1_rise; /* W/h in powers of J */
         const bicycle_monitor_real w1_rise = i0_rise*wh1_rise + i1_rise*wh0_rise - i1_rise*p1_rise*wh1_rise;
-        const bicycle_monitor_real M_00_rise = m0_rise + J_00_rise*m1_rise; /* dx+/dx */
-        const bicycle_monitor_real M_01_rise = J_01_rise*m1_rise;
-        const bicycle_monitor_real M_10_rise = J_10_rise*m1_rise;
-        const bicycle_monitor_real M_11_rise = m0_rise + J_11_rise*m1_rise;
         const bicycle_monitor_real G_00_rise = g0_rise + J_00_rise*g1_rise; /* change per rate */
         const bicycle_monitor_real G_01_rise = J_01_rise*g1_rise;
         const bicycle_monitor_real G_10_rise = J_10_rise*g1_rise;
@@ -806,8 +793,6 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real rise_r_star_rise_rise = f_r_star_rise_u_plain_rise*ramp_0_rise + ramp_1_rise*slope1_r_star_rise_rise;
         const bicycle_monitor_real d_v_star_rise_rise = rise_v_star_rise_rise + G_00_rise*f_v_star_rise_rise + G_01_rise*f_r_star_rise_rise; /* change over the step [-] */
         const bicycle_monitor_real d_r_star_rise_rise = rise_r_star_rise_rise + G_10_rise*f_v_star_rise_rise + G_11_rise*f_r_star_rise_rise; /* change over the step [-] */
-        const bicycle_monitor_real F_v_star_rise_u_plain_rise = G_00_rise*f_v_star_rise_u_plain_rise + G_01_rise*f_r_star_rise_u_plain_rise;
-        const bicycle_monitor_real F_r_star_rise_u_plain_rise = G_10_rise*f_v_star_rise_u_plain_rise + G_11_rise*f_r_star_rise_u_plain_rise;
         v_star_rise = d_v_star_rise_rise + v_star_rise;
         r_star_rise = d_r_star_rise_rise + r_star_rise;
         const bicycle_monitor_real lean = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);

@@ -8,7 +8,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_monitor'
-OPERATIONS = 1214
+OPERATIONS = 1172
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -576,8 +576,6 @@ def step(config, state, sample):
         E1_fall = i0_fall + i1_fall - i1_fall*p1_fall
         H0_fall = 0.5*h*i0_fall + 0.25*h*i1_fall*p0_fall  # change per rate over half a step
         H1_fall = 0.5*h*i1_fall + 0.25*h*i1_fall*p1_fall - 0.25*h*i0_fall
-        m0_fall = (E0_fall*E0_fall) - p0_fall*(E1_fall*E1_fall)
-        m1_fall = 2.0*E0_fall*E1_fall - p1_fall*(E1_fall*E1_fall)
         g0_fall = H0_fall*(1.0 + E0_fall) - E1_fall*H1_fall*p0_fall
         g1_fall = E1_fall*H0_fall + H1_fall*(1.0 + E0_fall) - E1_fall*H1_fall*p1_fall
         wi0_fall = (-p0_fall*(0.4375 + 0.1875*p1_fall))
@@ -586,10 +584,6 @@ def step(config, state, sample):
         wh1_fall = i0_fall*wi1_fall + i1_fall*wi0_fall - i1_fall*p1_fall*wi1_fall
         w0_fall = i0_fall*wh0_fall - i1_fall*p0_fall*wh1_fall  # W/h in powers of J
         w1_fall = i0_fall*wh1_fall + i1_fall*wh0_fall - i1_fall*p1_fall*wh1_fall
-        M_00_fall = m0_fall + J_00_fall*m1_fall  # dx+/dx
-        M_01_fall = J_01_fall*m1_fall
-        M_10_fall = J_10_fall*m1_fall
-        M_11_fall = m0_fall + J_11_fall*m1_fall
         G_00_fall = g0_fall + J_00_fall*g1_fall  # change per rate
         G_01_fall = J_01_fall*g1_fall
         G_10_fall = J_10_fall*g1_fall
@@ -603,8 +597,6 @@ def step(config, state, sample):
         rise_r_star_fall_fall = f_r_star_fall_u_plain_fall*ramp_0_fall + ramp_1_fall*slope1_r_star_fall_fall
         d_v_star_fall_fall = rise_v_star_fall_fall + G_00_fall*f_v_star_fall_fall + G_01_fall*f_r_star_fall_fall  # change over the step [-]
         d_r_star_fall_fall = rise_r_star_fall_fall + G_10_fall*f_v_star_fall_fall + G_11_fall*f_r_star_fall_fall  # change over the step [-]
-        F_v_star_fall_u_plain_fall = G_00_fall*f_v_star_fall_u_plain_fall + G_01_fall*f_r_star_fall_u_plain_fall
-        F_r_star_fall_u_plain_fall = G_10_fall*f_v_star_fall_u_plain_fall + G_11_fall*f_r_star_fall_u_plain_fall
         v_star_fall = d_v_star_fall_fall + v_star_fall
         r_star_fall = d_r_star_fall_fall + r_star_fall
         inv0_rise = (1.0/rho_held)
@@ -641,8 +633,6 @@ def step(config, state, sample):
         E1_rise = i0_rise + i1_rise - i1_rise*p1_rise
         H0_rise = 0.5*h*i0_rise + 0.25*h*i1_rise*p0_rise  # change per rate over half a step
         H1_rise = 0.5*h*i1_rise + 0.25*h*i1_rise*p1_rise - 0.25*h*i0_rise
-        m0_rise = (E0_rise*E0_rise) - p0_rise*(E1_rise*E1_rise)
-        m1_rise = 2.0*E0_rise*E1_rise - p1_rise*(E1_rise*E1_rise)
         g0_rise = H0_rise*(1.0 + E0_rise) - E1_rise*H1_rise*p0_rise
         g1_rise = E1_rise*H0_rise + H1_rise*(1.0 + E0_rise) - E1_rise*H1_rise*p1_rise
         wi0_rise = (-p0_rise*(0.4375 + 0.1875*p1_rise))
@@ -651,10 +641,6 @@ def step(config, state, sample):
         wh1_rise = i0_rise*wi1_rise + i1_rise*wi0_rise - i1_rise*p1_rise*wi1_rise
         w0_rise = i0_rise*wh0_rise - i1_rise*p0_rise*wh1_rise  # W/h in powers of J
         w1_rise = i0_rise*wh1_rise + i1_rise*wh0_rise - i1_rise*p1_rise*wh1_rise
-        M_00_rise = m0_rise + J_00_rise*m1_rise  # dx+/dx
-        M_01_rise = J_01_rise*m1_rise
-        M_10_rise = J_10_rise*m1_rise
-        M_11_rise = m0_rise + J_11_rise*m1_rise
         G_00_rise = g0_rise + J_00_rise*g1_rise  # change per rate
         G_01_rise = J_01_rise*g1_rise
         G_10_rise = J_10_rise*g1_rise
@@ -668,8 +654,6 @@ def step(config, state, sample):
         rise_r_star_rise_rise = f_r_star_rise_u_plain_rise*ramp_0_rise + ramp_1_rise*slope1_r_star_rise_rise
         d_v_star_rise_rise = rise_v_star_rise_rise + G_00_rise*f_v_star_rise_rise + G_01_rise*f_r_star_rise_rise  # change over the step [-]
         d_r_star_rise_rise = rise_r_star_rise_rise + G_10_rise*f_v_star_rise_rise + G_11_rise*f_r_star_rise_rise  # change over the step [-]
-        F_v_star_rise_u_plain_rise = G_00_rise*f_v_star_rise_u_plain_rise + G_01_rise*f_r_star_rise_u_plain_rise
-        F_r_star_rise_u_plain_rise = G_10_rise*f_v_star_rise_u_plain_rise + G_11_rise*f_r_star_rise_u_plain_rise
         v_star_rise = d_v_star_rise_rise + v_star_rise
         r_star_rise = d_r_star_rise_rise + r_star_rise
         lean = (1.0 if (1.0) < (companion_rate*dt) else companion_rate*dt)

@@ -5,7 +5,7 @@
  *   unknown: K; frozen: pi1, eta, rho
  *   one implicit step a sample: similitude.sampling
  *
- * Operations: step 409 at most, 8 at least (arithmetic, comparisons, selects), init 22.
+ * Operations: step 403 at most, 8 at least (arithmetic, comparisons, selects), init 22.
  * Memory: state 28 reals, configuration 32 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -440,8 +440,6 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         const bicycle_output_error_real d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
         const bicycle_output_error_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
         const bicycle_output_error_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
-        const bicycle_output_error_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
-        const bicycle_output_error_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
         const bicycle_output_error_real after_v_star = d_v_star + v_star;
         const bicycle_output_error_real after_r_star = d_r_star + r_star;
         const bicycle_output_error_real after_v_star_slope = F_v_star_K + M_00*v_star_slope + M_01*r_star_slope;

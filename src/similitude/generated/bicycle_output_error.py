@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_output_error'
-OPERATIONS = 409
+OPERATIONS = 403
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -343,8 +343,6 @@ def step(config, state, sample):
         d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star  # change over the step [-]
         F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
         F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
-        F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u
-        F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u
         after_v_star = d_v_star + v_star
         after_r_star = d_r_star + r_star
         after_v_star_slope = F_v_star_K + M_00*v_star_slope + M_01*r_star_slope

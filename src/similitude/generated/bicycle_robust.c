@@ -8,7 +8,7 @@
  *   K1 = -(eta - 1)/(rho*(pi1 - 1))
  *   K2 = eta/(rho*(pi1 - 1)**2), G2 = eta/(rho*(pi1 - 1)**2)
  *
- * Operations: step 639 at most, 8 at least (arithmetic, comparisons, selects), init 38.
+ * Operations: step 638 at most, 8 at least (arithmetic, comparisons, selects), init 38.
  * Memory: state 53 reals, configuration 39 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -407,8 +407,6 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
             fresh = R(0.0);
             status = R(4.0);
         }
-        const bicycle_robust_real at_U = last_U;
-        const bicycle_robust_real inv_U = (R(1.0)/at_U);
         const bicycle_robust_real inv_L = (R(1.0)/L);
         const bicycle_robust_real slowly = ((R(1.0)) < (dt*offset_rate) ? R(1.0) : dt*offset_rate);
         input_offset = input_offset + slowly*(u_now - input_offset);

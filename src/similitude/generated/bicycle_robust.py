@@ -12,7 +12,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_robust'
-OPERATIONS = 639
+OPERATIONS = 638
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -326,8 +326,6 @@ def step(config, state, sample):
         else:
             fresh = 0.0
             status = 4.0
-        at_U = last_U
-        inv_U = (1.0/at_U)
         inv_L = (1.0/L)
         slowly = (1.0 if (1.0) < (dt*offset_rate) else dt*offset_rate)
         input_offset = input_offset + slowly*(u_now - input_offset)

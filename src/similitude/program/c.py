@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from similitude.program.ir import Assign, Field, Program, Statement, When, walk
+from similitude.program.ir import Assign, Field, Program, Statement, When, walk, without_unread
 from similitude.program.text import C, Language, count_operations, expression_text
 
 _HEAD = """\
@@ -89,6 +89,7 @@ def print_c(program: Program) -> str:
     -------
     str    source text, ASCII, ending in a newline.
     """
+    program = without_unread(program)
     name = program.name
     status = "".join(
         f"    {name.upper()}_{key.upper()} = {code},\n" for key, code in program.status.items()
@@ -220,6 +221,7 @@ def _init(program: Program) -> str:
         "/* The state before the first sample: the prior. */",
         f"SIMILITUDE_API void {name}_init(const {name}_config *config, {name}_state *state)",
         "{",
+        *([] if read & {s.name for f in program.config for s in f.symbols} else ["    (void)config;"]),
         *_locals(program.config, read, name, "config", "const "),
         *_arrays(program.state, name),
         *declared,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -179,3 +179,33 @@ def shared(prefix: str, named: dict[str, sp.Expr], comments: dict[str, str] | No
         Assign(name, expression, texts.get(name, "")) for name, expression in zip(named, reduced, strict=True)
     ]
     return lines
+
+
+def without_unread(program: Program) -> Program:
+    """The same program without temporaries of its step that nothing reads; every result stays the same."""
+    fields = (*program.config, *program.state, *program.sample, *program.output, *program.variables)
+    kept = {symbol.name for f in fields for symbol in f.symbols}
+    step = program.step
+    while True:
+        read = kept | {s.name for node in walk(step) for s in _reads(node)}
+        shorter = _only(step, read)
+        if shorter == step:
+            return replace(program, step=step)
+        step = shorter
+
+
+def _reads(statement: Statement) -> set[sp.Symbol]:
+    node = statement.condition if isinstance(statement, When) else statement.expression
+    return node.free_symbols
+
+
+def _only(body: tuple[Statement, ...], read: set[str]) -> tuple[Statement, ...]:
+    """The statements of a body whose target is read, and the guards that still guard something."""
+    kept: list[Statement] = []
+    for s in body:
+        if not isinstance(s, When):
+            kept += [s] if s.target in read else []
+            continue
+        shorter = replace(s, body=_only(s.body, read), otherwise=_only(s.otherwise, read))
+        kept += [shorter] if shorter.body or shorter.otherwise else []
+    return tuple(kept)

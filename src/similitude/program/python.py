@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from similitude.program.c import names_read, names_written, operations
-from similitude.program.ir import Field, Program, Statement, When
+from similitude.program.ir import Field, Program, Statement, When, without_unread
 from similitude.program.text import PYTHON, expression_text
 
 _HEAD = '''\
@@ -29,6 +29,7 @@ COORDINATES = {coordinates!r}
 
 def print_python(program: Program) -> str:
     """The whole Python module of a step program: layout tables, ``init`` and ``step``."""
+    program = without_unread(program)
     parts = [
         _HEAD.format(
             title=program.title,

@@ -1,0 +1,202 @@
+"""Static evidence for the exported C: warnings, MISRA, sanitizers, branches, absence of run-time errors.
+
+Each check runs where its tool is present and says so in a line where it is not:
+
+    warnings      gcc and clang at -O2, every warning an error
+    MISRA         cppcheck --addon=misra: no rule but those of docs/embedded.md, "Deviations"
+    sanitizers    address and undefined behaviour over a million random samples
+    branches      gcov over the self-test and 300,000 random samples
+    Frama-C Eva   no alarm for any bits of a sample, for ever; and an alarm in a file made to have one
+
+    python scripts/embedded_static.py [--only ESTIMATOR] [--no-eva]
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from similitude.embedded.folder import export
+from similitude.embedded.system import SHIPPED
+from similitude.embedded.targets import CONTRACT_OFF, STRICT
+
+HERE = Path(__file__).parent
+BASE = ["-std=c99", "-ffp-contract=off", f"-D{CONTRACT_OFF}", "-I."]
+DEVIATIONS = {"2.3", "2.4", "8.7", "12.1"}  # advisory, each with its reason in docs/embedded.md
+SANITIZED, COVERED = 1_000_000, 300_000  # random samples
+BRANCHES_LEAST = 75.0  # % of the branches of a file that were taken
+ADDON = ("--addon=misra", "--std=c99", "--quiet", f"-D{CONTRACT_OFF}")
+ASLEEP = ("bicycle_monitor",)  # fed by a filter, not by random samples
+EVA = ("bicycle_paper", "bicycle_band", "bicycle_population")
+_EVA_MAIN = """\
+#include "{name}_config.h"
+
+volatile unsigned int any;
+
+static float any_bits(void)
+{{
+    union {{ unsigned int bits; float value; }} word;
+    word.bits = any;
+    return word.value;
+}}
+
+int main(void)
+{{
+    {name}_state state;
+    {name}_output output;
+    {name}_init(&{name}_numbers, &state);
+    while (any != 0u) {{
+        {name}_sample sample;
+{fields}
+        (void){name}_step(&{name}_numbers, &state, &sample, &output);
+    }}
+    return 0;
+}}
+"""
+
+
+def run(command: list[str], cwd: Path) -> subprocess.CompletedProcess:
+    """Run a tool, its words kept."""
+    return subprocess.run(command, cwd=cwd, capture_output=True, text=True, check=False)
+
+
+def warnings(name: str, folder: Path) -> list[str]:
+    """What gcc and clang complain of."""
+    faults = []
+    for compiler in ("gcc", "clang"):
+        if shutil.which(compiler) is None:
+            print(f"{name:30} warnings: skipped, {compiler} is missing; apt-get install {compiler}")
+            continue
+        for file in (f"{name}.c", f"{name}_self_test.c"):
+            done = run([compiler, *BASE, "-O2", *STRICT, "-c", file, "-o", "warned.o"], folder)
+            faults += [f"{name}: {compiler}: {done.stderr.splitlines()[0]}"] if done.returncode else []
+        print(f"{name:30} warnings: {compiler}, {len(STRICT) - 1} kinds, none")
+    return faults
+
+
+def misra(name: str, folder: Path) -> list[str]:
+    """Rules of MISRA C 2012 that are broken and not among the deviations."""
+    if shutil.which("cppcheck") is None:
+        print(f"{name:30} MISRA: skipped, cppcheck is missing; apt-get install cppcheck")
+        return []
+    done = run(["cppcheck", *ADDON, f"{name}.c"], folder)
+    broken = set(re.findall(r"\[misra-c2012-([\d.]+)\]", done.stderr))
+    print(f"{name:30} MISRA: deviations {', '.join(sorted(broken, key=_number)) or 'none'}")
+    return [f"{name}: MISRA rule {rule}" for rule in sorted(broken - DEVIATIONS)]
+
+
+def _number(rule: str) -> tuple[int, ...]:
+    return tuple(map(int, rule.split(".")))
+
+
+def sanitizers(name: str, folder: Path) -> list[str]:
+    """What address and undefined-behaviour sanitizers say over random samples."""
+    flags = [
+        "-O1",
+        "-g",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+        f"-DSAMPLES={SANITIZED}",
+    ]
+    return _random(name, folder, "sanitizers", flags)[0]
+
+
+def _random(name: str, folder: Path, what: str, flags: list[str]) -> tuple[list[str], str]:
+    files = [str(HERE / "embedded_random.c"), f"{name}.c", f"{name}_self_test.c"]
+    built = run(["gcc", *BASE, *flags, f"-DNAME={name}", *files, "-o", what], folder)
+    if built.returncode:
+        return [f"{name}: {what} do not build: {built.stderr.splitlines()[0]}"], ""
+    done = run([f"./{what}"], folder)
+    print(f"{name:30} {what}: {done.stdout.strip()}")
+    return ([f"{name}: {what}: {done.stdout} {done.stderr[:300]}"] if done.returncode else []), done.stdout
+
+
+def branches(name: str, folder: Path) -> list[str]:
+    """Branches of the C file that self-test and random samples take."""
+    if shutil.which("gcov") is None:
+        print(f"{name:30} branches: skipped, gcov is missing; apt-get install gcc")
+        return []
+    faults, _ = _random(name, folder, "covered", ["-O0", "--coverage", f"-DSAMPLES={COVERED}"])
+    done = run(["gcov", "-b", "-o", f"covered-{name}.gcda", f"{name}.c"], folder)
+    part = done.stdout.partition(f"File '{name}.c'")[2]
+    share = float(re.search(r"Taken at least once:([\d.]+)%", part).group(1))
+    count = re.search(r"Taken at least once:[\d.]+% of (\d+)", part).group(1)
+    lines = re.search(r"Lines executed:([\d.]+)%", part).group(1)
+    print(f"{name:30} branches: {share} % of {count} taken, {lines} % of the lines")
+    return faults + (
+        [f"{name}: {share} % of branches taken, {BRANCHES_LEAST} wanted"] if share < BRANCHES_LEAST else []
+    )
+
+
+def eva(name: str, folder: Path) -> list[str]:
+    """Alarms of Frama-C Eva for any bits of any sample; and none missing in a file made to have one."""
+    if shutil.which("frama-c") is None:
+        print(f"{name:30} Eva: skipped, frama-c is missing; apt-get install frama-c-base")
+        return []
+    alarms = _alarms(name, folder, f"{name}.c")
+    text = (folder / f"{name}.c").read_text()
+    last = re.findall(r"(\w+)\[0\] = R\(0\.0\);", text)[0]
+    size = int(re.search(rf"\b{last}\[(\d+)\];", (folder / f"{name}.h").read_text()).group(1))
+    wrong = text.replace(f"{last}[0] = R(0.0);", f"{last}[{size + 400}] = R(0.0);", 1)
+    (folder / "wrong.c").write_text(wrong)
+    control = _alarms(name, folder, "wrong.c")
+    print(
+        f"{name:30} Eva: {alarms} alarms for any samples; {control} in the control that writes past an array"
+    )
+    faults = [f"{name}: {alarms} alarms"] if alarms != 0 else []
+    return faults + ([f"{name}: the control raises no alarm"] if not control else [])
+
+
+def _alarms(name: str, folder: Path, file: str) -> int:
+    from similitude.embedded.system import find_source
+
+    system, _, estimator = name.partition("bicycle_")
+    fields = [row[0] for row in find_source(f"{system}bicycle", estimator).library().layout.SAMPLE]
+    lines = "\n".join(f"        sample.{field} = any_bits();" for field in fields)
+    (folder / "eva_main.c").write_text(_EVA_MAIN.format(name=name, fields=lines))
+    flags = [
+        "-eva",
+        "-eva-precision",
+        "1",
+        "-warn-special-float",
+        "none",
+        f"-cpp-extra-args=-D{CONTRACT_OFF}",
+    ]
+    done = run(["frama-c", *flags, str(folder / "eva_main.c"), str(folder / file)], folder)
+    found = re.search(r"(\d+) alarms? generated", done.stdout)
+    return int(found.group(1)) if found else -1
+
+
+def main() -> int:
+    """Run what can be run; the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--only", help="one estimator, such as bicycle_paper")
+    parser.add_argument("--no-eva", action="store_true", help="leave Frama-C out")
+    asked = parser.parse_args()
+    faults: list[str] = []
+    with tempfile.TemporaryDirectory(prefix="similitude-") as place:
+        for system, estimators in SHIPPED.items():
+            for estimator in estimators:
+                name = f"{system}_{estimator}"
+                if asked.only not in (None, name):
+                    continue
+                folder = Path(place, name)
+                export(system, estimator=estimator, real="float", target="host", out=folder)
+                faults += [*warnings(name, folder), *misra(name, folder)]
+                if name not in ASLEEP:
+                    faults += [*sanitizers(name, folder), *branches(name, folder)]
+                if name in EVA and not asked.no_eva:
+                    faults += eva(name, folder)
+    for fault in faults:
+        print(f"FAILED {fault}")
+    print("failed" if faults else "nothing found")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
