@@ -84,7 +84,7 @@ def step_response(vehicle: Mapping[str, float], t: float) -> tuple[float, Sensit
 
 def transfer_function(vehicle: Mapping[str, float], s: complex) -> tuple[complex, Sensitivities]:
     """G(s) of eq 4 and its sensitivities at a complex frequency s [rad/s], s among them."""
-    of, slopes, block, p = _model()
+    _, _, block, p = _model()
     z = sp.Symbol("s")
     G = ((z * sp.eye(2) - block[:2, :2]).inv() * block[:2, 2])[1]
     at = dict(zip(p, (vehicle[n] for n in PARAMETERS), strict=True)) | {z: s}

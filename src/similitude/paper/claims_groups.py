@@ -7,8 +7,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from similitude.paper import printed
 from similitude.paper.bode import step_response
 from similitude.paper.claim import Claim, claim, identity_claim, number_claim
@@ -53,13 +51,19 @@ def _excess_slip(friction: float) -> float:
 def _linear_range() -> Claim:
     dry, ice = _excess_slip(DRY), _excess_slip(ICE)
     return claim(
-        "linear-range", "section 2", "the linear model is good while accelerations stay below 0.3 g",
-        printed=printed.LINEAR_UP_TO, ours=ice if math.isfinite(ice) else "no such force",
-        holds=ice <= SMALL_ERROR, under=dry <= SMALL_ERROR, tolerance=SMALL_ERROR, unit="g",
+        "linear-range",
+        "section 2",
+        "the linear model is good while accelerations stay below 0.3 g",
+        printed=printed.LINEAR_UP_TO,
+        ours=ice if math.isfinite(ice) else "no such force",
+        holds=ice <= SMALL_ERROR,
+        under=dry <= SMALL_ERROR,
+        tolerance=SMALL_ERROR,
+        unit="g",
         condition=f"the road is dry (peak friction {DRY}: {100 * dry:.1f} % more slip at 0.3 g)",
         why=f"Judged by the slip of a tyre with cubic onset of saturation against the linear one. With peak "
         f"friction {ICE} the tyres cannot hold 0.3 g at all, and this paper is about such roads.",
-    )  # fmt: skip
+    )
 
 
 def _similar() -> Claim:
@@ -69,55 +73,75 @@ def _similar() -> Claim:
     t = 2.0  # dimensionless
     one = step_response(small, t * printed.WHEELBASE / small["U"])[0] * printed.WHEELBASE / small["U"]
     return identity_claim(
-        "eq17-groups", "eqs 17 and 19",
+        "eq17-groups",
+        "eqs 17 and 19",
         "five groups describe the yaw dynamics: a car of unit mass, length and speed with them answers alike",
         step_response(scaled, t)[0] / one - 1,
-    )  # fmt: skip
+    )
 
 
 def _five_groups() -> Claim:
     groups = bicycle_groups()
     free = len(groups.groups) - len(groups.constraints)
     return number_claim(
-        "sec4-five-parameters", "section 4", "in dimensionless form the model consists of five parameters",
-        printed=5, ours=free, tolerance=0, conditioned=len(groups.groups),
+        "sec4-five-parameters",
+        "section 4",
+        "in dimensionless form the model consists of five parameters",
+        printed=5,
+        ours=free,
+        tolerance=0,
+        conditioned=len(groups.groups),
         condition="π1 and π2 count as two, though π2 = 1 − π1",
         why="Four are free; as many as the transfer function has coefficients.",
-    )  # fmt: skip
+    )
 
 
 def _traverse_time() -> Claim:
     of = {n: parse_unit(BICYCLE.quantity(n).unit).dimension.exponents for n in ("U", "L")}
     as_printed = float(of["U"].get("time", 0) - of["L"].get("time", 0))
     return number_claim(
-        "sec4-traverse-time", "section 4", "the time to traverse the vehicle length is U/L",
-        printed=1, ours=as_printed, tolerance=0, unit="power of time",
+        "sec4-traverse-time",
+        "section 4",
+        "the time to traverse the vehicle length is U/L",
+        printed=1,
+        ours=as_printed,
+        tolerance=0,
+        unit="power of time",
         why="U/L is a rate. The time is L/U, as the rest of the paper has it.",
-    )  # fmt: skip
+    )
 
 
 def _full_size_speed() -> Claim:
     ours = similar_speed() / printed.MPH
     same_time = printed.TEST_VEHICLE["U"] / printed.SCALE / printed.MPH
     return number_claim(
-        "sec6-full-size-speed", "section 6",
+        "sec6-full-size-speed",
+        "section 6",
         "the test vehicle at 4 m/s correlates well with an average car at 63 mph",
-        printed=printed.FULL_SIZE_SPEED, ours=ours, tolerance=2.0, unit="mph", digits=3,
+        printed=printed.FULL_SIZE_SPEED,
+        ours=ours,
+        tolerance=2.0,
+        unit="mph",
+        digits=3,
         why=f"Equal π3 with the paper's own average K is at {ours:.1f} mph. Only L/U is equal at "
         f"{same_time:.1f} mph (scale 1/7): there π3 of the average car is "
         f"{printed.K / (same_time * printed.MPH) ** 2:.3f}, of the test vehicle "
         f"{test_vehicle_groups(4.0)['pi3']:.3f}. Elsewhere the paper says 65 mph.",
-    )  # fmt: skip
+    )
 
 
 def _offline() -> Claim:
     at_4, at_3 = (test_vehicle_groups(U)["pi3"] for U in (4.0, printed.DESIGN_SPEED))
     return number_claim(
-        "fig7-offline-value", "section 7, Figure 7", "the off-line value of π3 on the dry belt is about 0.5",
-        printed=printed.OFFLINE, ours=at_4, tolerance=0.05,
+        "fig7-offline-value",
+        "section 7, Figure 7",
+        "the off-line value of π3 on the dry belt is about 0.5",
+        printed=printed.OFFLINE,
+        ours=at_4,
+        tolerance=0.05,
         why=f"The printed parameters give {at_4:.3f} at the stated 4 m/s; they give {at_3:.3f} at 3 m/s, the "
         "design speed of the controller. Both lie within the ± 50 % that the paper allows the value.",
-    )  # fmt: skip
+    )
 
 
 def extremes() -> dict[str, tuple[float, float]]:
@@ -140,8 +164,14 @@ def _order_one() -> Claim:
     parking = printed.K / 1.0**2
     within = 0.05 < low and high < 20
     return claim(
-        "sec4-order-one", "section 4", "groups are of order one, not 10⁶ or 10⁻⁶",
-        printed="about 1", ours=[low, high], holds=bool(within and parking < 20), under=bool(within),
-        tolerance="between 1/20 and 20", condition="the car is driven, not parked: 10 to 40 m/s here",
+        "sec4-order-one",
+        "section 4",
+        "groups are of order one, not 10⁶ or 10⁻⁶",
+        printed="about 1",
+        ours=[low, high],
+        holds=bool(within and parking < 20),
+        under=bool(within),
+        tolerance="between 1/20 and 20",
+        condition="the car is driven, not parked: 10 to 40 m/s here",
         why=f"π3 and π4 carry 1/U²: at 1 m/s π3 is {parking:.0f}, and at standstill there is none.",
-    )  # fmt: skip
+    )
