@@ -37,7 +37,8 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
+    "paper",
+    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli_paper cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

@@ -13,6 +13,7 @@ Tichavsky, Muravchik, Nehorai (1998), for a state that does not move; the prior 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +35,7 @@ def bound(drive: Drive, changes: Sequence[float]) -> Array:
     changes : times at which the stiffness changes [s], increasing.
     """
     edges = [0.0, *changes, float(drive.t[-1]) + 1.0]
-    stretches = [drive.during(a, b) for a, b in zip(edges, edges[1:], strict=False)]
+    stretches = [drive.during(a, b) for a, b in pairwise(edges)]
     s = _sensitivities(drive, stretches) / NOISE
     prior = prior_of(drive.scenario.name)
     p, q = len(stretches), len(prior.names) - 1

@@ -21,7 +21,7 @@ from similitude.program.library import shipped
 from similitude.simulate import bicycle_response
 
 Array = NDArray[np.float64]
-LEVELS = (0.01, 0.1, 0.5)  # deg/s
+LEVELS = (0.001, 0.01, 0.1, 0.5)  # deg/s
 BEARABLE = 0.10  # relative bias
 AGREE = 0.03  # relative difference of closed form and simulation
 CARS, FLEET_SECONDS = 40, 12.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 from scipy import stats
 
 from similitude.estimators.paper_design import PAPER_GROUPS, exact_coefficients, linearity_error, slopes
@@ -107,6 +108,7 @@ def seven_picture() -> Figure:
     sd = 1 / np.sqrt(values[known])
     left.bar(np.arange(1, sd.size + 1), sd, color=OURS, width=0.6)
     left.set_yscale("log")
+    left.yaxis.set_minor_formatter(NullFormatter())
     left.set_xticks(range(1, 8))
     for i in range(sd.size + 1, 8):
         left.text(i, sd.max(), "∞", ha="center", va="center", fontsize=16, color=PAPER)

@@ -78,8 +78,8 @@ def figure_6() -> Figure:
             _wheel(axes, x, y, 0.075, 0.032, 0.0)
     axes.add_patch(Circle((0, 0), 0.009, facecolor="white", edgecolor=INK, lw=1.4, zorder=5))
     _text(axes, 0.0, 0.03, "CG", INK)
-    _measure(axes, 0, v["a"], -0.175, f"a {1e3 * v['a']:.1f} mm")
-    _measure(axes, -v["b"], 0, -0.175, f"b {1e3 * v['b']:.1f} mm")
+    _measure(axes, 0, v["a"], -0.175, f"a {1e3 * v['a']:.1f}")
+    _measure(axes, -v["b"], 0, -0.175, f"b {1e3 * v['b']:.1f}")
     _measure(axes, -v["b"], v["a"], 0.175, f"L {1e3 * printed.WHEELBASE:.1f} mm")
     _bare(data, (0, 1), (0, 1), equal=False)
     at = {U: test_vehicle_groups(U) for U in (4.0, 3.0)}

@@ -72,7 +72,7 @@ def yaw_rate(t: Array, delta: Array, vehicles: Sequence[dict[str, float]]) -> Ar
 
 
 def of_coordinates(x: dict[str, float]) -> dict[str, float]:
-    """The seven parameters from K, pi1, eta and rho, with mass, wheelbase and speed of the paper's vehicle."""
+    """The seven parameters from K, pi1, eta and rho; mass, wheelbase and speed are the paper's."""
     m, L, U = printed.TEST_VEHICLE["m"], printed.WHEELBASE, printed.TEST_VEHICLE["U"]
     a = x["pi1"] * L
     b = L - a
@@ -124,7 +124,7 @@ def true_coordinates() -> dict[str, float]:
 
 
 def rank(J: Array) -> int:
-    """Number of directions of which there is information, beyond a millionth of a millionth of the largest."""
+    """Number of directions of which there is information, beyond 1e-9 of the largest."""
     values = np.linalg.eigvalsh(J)
     return int(np.sum(values > 1e-9 * values.max()))
 

@@ -1,0 +1,137 @@
+"""Everything of the paper at once: claims, equations, figures, and the files they become.
+
+Invariant: nothing is written before all of it has been computed; equal code gives equal files.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from similitude.errors import UsageError
+from similitude.paper.claim import VERDICTS, Claim
+from similitude.paper.claims_controller import controller_claims
+from similitude.paper.claims_cost import cost_claims
+from similitude.paper.claims_discrete import discrete_claims
+from similitude.paper.claims_figure_5 import figure_5_claims
+from similitude.paper.claims_figure_7 import figure_7_claims
+from similitude.paper.claims_groups import group_claims
+from similitude.paper.claims_invariance import invariance_claims
+from similitude.paper.claims_noise import noise_claims
+from similitude.paper.claims_population import population_claims
+from similitude.paper.claims_seven import seven_claims
+from similitude.paper.equations import EQUATIONS, Equation
+
+SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
+    "Sensitivity invariance": invariance_claims,
+    "Model, groups, scale": group_claims,
+    "Populations": population_claims,
+    "The z-transform and the regression": discrete_claims,
+    "The controller": controller_claims,
+    "Seven parameters at once": seven_claims,
+    "Noise and averages": noise_claims,
+    "Cost": cost_claims,
+    "Figure 5": figure_5_claims,
+    "Figure 7 and the scheduled gain": figure_7_claims,
+}
+REPORT, CLAIMS = "paper.html", "claims.json"
+READ = 'docs/paper.md, "The command"'
+
+
+@dataclass(frozen=True, eq=False)
+class Reproduction:
+    """What was computed.
+
+    ``subjects`` subject -> claims; ``residuals`` of the equations; ``pictures`` file name -> PNG.
+    """
+
+    subjects: dict[str, list[Claim]]
+    residuals: list[tuple[Equation, float]]
+    pictures: dict[str, bytes]
+
+    @property
+    def claims(self) -> list[Claim]:
+        """All claims, in the order of the paper."""
+        return [claim for claims in self.subjects.values() for claim in claims]
+
+    @property
+    def records(self) -> list[dict[str, Any]]:
+        """The claims as JSON objects."""
+        return [claim.record for claim in self.claims]
+
+    def count(self) -> dict[str, int]:
+        """Number of claims of each verdict."""
+        return {word: sum(claim.verdict == word for claim in self.claims) for word in VERDICTS}
+
+
+def reproduce(begin: Callable[[str], None] = lambda text: None, *, drawn: bool = True) -> Reproduction:
+    """Compute every claim and equation, and draw every figure.
+
+    Parameters
+    ----------
+    begin : called with the name of each part before it is computed. drawn : figures as well.
+
+    Returns
+    -------
+    Reproduction
+    """
+    subjects = {}
+    for name, claims in SUBJECTS.items():
+        begin(name)
+        subjects[name] = claims()
+    begin("equations")
+    residuals = [(equation, float(equation.check())) for equation in EQUATIONS]
+    pictures: dict[str, bytes] = {}
+    if drawn:
+        from similitude.paper.pictures import draw_all
+
+        pictures = draw_all(begin)
+    return Reproduction(subjects, residuals, pictures)
+
+
+def write(done: Reproduction, directory: str | os.PathLike[str]) -> dict[str, str]:
+    """Write page, claims and pictures into a folder.
+
+    Parameters
+    ----------
+    directory : path   created where it is not there; older files of ours in it are replaced.
+
+    Returns
+    -------
+    dict of str to str   kind or picture's name to path
+
+    Raises
+    ------
+    UsageError   the folder or a file in it cannot be written
+    """
+    from similitude.paper.companion import companion
+
+    directory = Path(directory)
+    contents: dict[str, bytes] = dict(done.pictures)
+    contents[CLAIMS] = (json.dumps(done.records, ensure_ascii=False, indent=1) + "\n").encode()
+    contents[REPORT] = companion(done).encode()
+    made = [path for path in (directory, *directory.parents) if not path.exists()]
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".similitude-", dir=directory) as building:
+            for name, data in contents.items():
+                (Path(building) / name).write_bytes(data)
+            for name in contents:
+                os.replace(Path(building) / name, directory / name)
+    except OSError as fault:
+        for path in made:
+            with contextlib.suppress(OSError):
+                path.rmdir()
+        raise UsageError(
+            f"the report cannot be written to '{directory}': {fault.strerror or fault}",
+            usually="the folder belongs to somebody else, is the name of a file, or the disk is full.",
+            paste="similitude paper --out paper-out",
+            read=READ,
+        ) from fault
+    return {name: str(directory / name) for name in contents}
