@@ -34,8 +34,9 @@ def paper(
         )
     from rich.console import Console
 
+    from similitude.paper.folder import write
     from similitude.paper.pictures import PICTURES
-    from similitude.paper.reproduction import SUBJECTS, reproduce, write
+    from similitude.paper.reproduction import SUBJECTS, reproduce
     from similitude.report.progress import ProgressBar
 
     steps = len(SUBJECTS) + len(PICTURES) + 1
@@ -57,7 +58,7 @@ def _print(done, files: dict[str, str]) -> None:
     from rich.table import Table
 
     from similitude.paper.companion import shown
-    from similitude.paper.reproduction import REPORT
+    from similitude.paper.folder import REPORT
 
     table = Table(title="The paper's claims", title_justify="left", box=box.SIMPLE_HEAD)
     for heading in ("claim", "where", "printed", "ours", "verdict"):

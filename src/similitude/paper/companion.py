@@ -94,7 +94,7 @@ def _idea() -> Html:
                 "A law of physics stays true in other units. By Euler's theorem the logarithmic "
                 "sensitivities of any "
                 "output then obey one linear equation a unit: they are coupled (eqs 5 to 16).",
-                "Written in Pi groups the equations are empty: mass, length and speed leave the model, "
+                "Written in Pi groups these equations are empty: mass, length and speed leave the model, "
                 "four groups "
                 "remain (eqs 17 and 19).",
                 "Vehicles are built for one purpose and cluster in group space: all groups but π3 may be "

@@ -66,9 +66,11 @@ PICTURES = {
         "Position on a square wave, yaw rate, and an estimate that follows the halved stiffness with a "
         "slight lag and "
         "a small steady bias.",
-        "The same drive (scenario square_closed_loop), a perfect sensor. The bias is as small as printed; "
-        "with the "
-        "printed λ the estimate does not follow, with a tenth of the memory it does.",
+        "The same drive (scenario square_closed_loop), a perfect sensor. The first bias is as small as "
+        "printed. With "
+        "the printed λ the estimate swings about the middle of the two values; with a tenth of the memory "
+        "it goes "
+        "further, and is still on its way when the next change comes.",
         pictures_drives.figure_5,
     ),
     "6": Picture(
@@ -86,7 +88,8 @@ PICTURES = {
         "while the tyres hydroplane and at the fish-tail of 88 s, and recovers.",
         "A simulation of that story (scenario treadmill_hydroplaning): the motion is there, the fish-tail "
         "included. "
-        "The estimate is not: with the printed λ it cannot fall so fast.",
+        "The estimate is not: the printed λ forgets too slowly to fall, and every push of the belt raises "
+        "it.",
         pictures_drives.figure_7,
     ),
     "noise": Picture(

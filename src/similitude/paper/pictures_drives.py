@@ -67,9 +67,9 @@ def figure_7() -> Figure:
         drive.t[THIN], belt_paper()[THIN], color=PAPER, lw=1.4, label="the paper's estimate, perfect sensor"
     )
     bottom.axhline(drive.pi3[0], color=MUTED, lw=0.9, ls="--", label="from the printed parameters, dry")
-    bottom.set_ylim(0, 0.55)
+    bottom.set_ylim(0, 0.75)
     label(bottom, "t [s]", "π3 [-]")
-    legend(bottom, "upper left", 3)
+    legend(bottom, "upper left", 2)
     bottom.set_xlim(0, 110)
     _story((top, middle, bottom))
     return figure

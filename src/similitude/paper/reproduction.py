@@ -1,20 +1,15 @@
-"""Everything of the paper at once: claims, equations, figures, and the files they become.
+"""Everything of the paper at once: claims, equations and figures.
 
-Invariant: nothing is written before all of it has been computed; equal code gives equal files.
+Invariant: equal code gives equal results: seeds are fixed, and values are rounded to digits that do not
+depend on the machine.
 """
 
 from __future__ import annotations
 
-import contextlib
-import json
-import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-from similitude.errors import UsageError
 from similitude.paper.claim import VERDICTS, Claim
 from similitude.paper.claims_controller import controller_claims
 from similitude.paper.claims_cost import cost_claims
@@ -40,8 +35,6 @@ SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
     "Figure 5": figure_5_claims,
     "Figure 7 and the scheduled gain": figure_7_claims,
 }
-REPORT, CLAIMS = "paper.html", "claims.json"
-READ = 'docs/paper.md, "The command"'
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,45 +86,3 @@ def reproduce(begin: Callable[[str], None] = lambda text: None, *, drawn: bool =
 
         pictures = draw_all(begin)
     return Reproduction(subjects, residuals, pictures)
-
-
-def write(done: Reproduction, directory: str | os.PathLike[str]) -> dict[str, str]:
-    """Write page, claims and pictures into a folder.
-
-    Parameters
-    ----------
-    directory : path   created where it is not there; older files of ours in it are replaced.
-
-    Returns
-    -------
-    dict of str to str   kind or picture's name to path
-
-    Raises
-    ------
-    UsageError   the folder or a file in it cannot be written
-    """
-    from similitude.paper.companion import companion
-
-    directory = Path(directory)
-    contents: dict[str, bytes] = dict(done.pictures)
-    contents[CLAIMS] = (json.dumps(done.records, ensure_ascii=False, indent=1) + "\n").encode()
-    contents[REPORT] = companion(done).encode()
-    made = [path for path in (directory, *directory.parents) if not path.exists()]
-    try:
-        directory.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".similitude-", dir=directory) as building:
-            for name, data in contents.items():
-                (Path(building) / name).write_bytes(data)
-            for name in contents:
-                os.replace(Path(building) / name, directory / name)
-    except OSError as fault:
-        for path in made:
-            with contextlib.suppress(OSError):
-                path.rmdir()
-        raise UsageError(
-            f"the report cannot be written to '{directory}': {fault.strerror or fault}",
-            usually="the folder belongs to somebody else, is the name of a file, or the disk is full.",
-            paste="similitude paper --out paper-out",
-            read=READ,
-        ) from fault
-    return {name: str(directory / name) for name in contents}

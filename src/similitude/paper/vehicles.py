@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+TABLES = resources.files("similitude").joinpath("tables")
 FULL_SIZE = 500.0  # kg; the two model cars of the table are lighter
 
 
@@ -92,7 +93,7 @@ def axles() -> Axles:
 
 
 def _rows(name: str) -> list[dict[str, str]]:
-    text = resources.files("similitude").joinpath("tables", name).read_text(encoding="utf-8")
+    text = TABLES.joinpath(name).read_text(encoding="utf-8")
     return list(csv.DictReader(text.splitlines()))
 
 
