@@ -4,9 +4,10 @@ import importlib
 import json
 
 import pytest
-from tests.paper.reproduced import small
 
 from similitude import cli
+
+from .paper.reproduced import small
 
 
 @pytest.fixture

@@ -19,10 +19,7 @@ def check(subject, claims, *, relative=EXACT):
     assert [claim.id for claim in claims] == [record["id"] for record in pinned]
     for claim, record in zip(claims, pinned, strict=True):
         assert claim.verdict == record["verdict"], claim
-        assert (
-            claim.tolerance == pytest.approx(record["tolerance"], rel=relative)
-            or claim.tolerance == record["tolerance"]
-        ), claim
+        _same(claim.tolerance, record["tolerance"], claim, relative)
         _same(claim.ours, record["ours"], claim, relative)
         assert claim.statement and claim.where
 

@@ -4,7 +4,7 @@ from similitude.paper.canvas import label, legend, panels, png
 
 
 def drawn(value):
-    figure, (one, two) = panels(2, 2.0)
+    figure, (one, _) = panels(2, 2.0)
     one.plot([0, 1], [0, value], label="line")
     label(one, "x", "y", "title")
     legend(one)

@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from tests.paper.pinned import check
 
 from similitude.paper import printed
 from similitude.paper.claims_controller import car_and_driver, controller_claims, least_damping
 from similitude.simulation.lqr import lqr_gain, path_matrices
+
+from .pinned import check
 
 
 def test_claims_are_the_pinned_ones():

@@ -3,10 +3,10 @@
 import re
 from pathlib import Path
 
-from tests.paper.pinned import check
-
 from similitude.paper.claims_cost import RECURSION, cost_claims, counted, operations
 from similitude.program.library import shipped
+
+from .pinned import check
 
 
 def test_claims_are_the_pinned_ones():
@@ -14,18 +14,13 @@ def test_claims_are_the_pinned_ones():
 
 
 def test_the_recursion_in_the_c_has_as_many():
+    """The four lines as text: signs between spaces, stars and strokes."""
     source = Path(shipped("bicycle_paper").layout.__file__).with_suffix(".c").read_text()
-    lines = [re.sub(r"/\*.*?\*/", "", x).strip() for x in source.splitlines()]
-    pattern = rf"(?:const real )?(?:s->|state->)?({'|'.join(RECURSION)})\s*=\s*(.+);"
-    right = [
-        found for found in (re.fullmatch(pattern, x) for x in lines) if found and "ratio" not in found[2]
-    ]
-    block = [m[2] for m in right if re.search(r"gain|residual|phi", m[2])]
-    ops = sum(
-        len(re.findall(r"[*/]|(?<=[\w)]) ?[+-] ?(?=[\w(])", re.sub(r"->", ".", text))) for text in block
-    )
+    pattern = rf"(?:const bicycle_paper_real )?(?:{'|'.join(RECURSION)}) = (.+);"
+    right = [found[1] for found in re.finditer(pattern, source) if re.search(r"phi|residual", found[1])]
+    count = sum(len(re.findall(r"[*/]| [+-] ", text)) for text in right)
 
-    assert block and ops == operations("bicycle_paper", RECURSION) == 13
+    assert len(right) == 4 and count == operations("bicycle_paper", RECURSION) == 13
 
 
 def test_parts_are_less_than_the_whole():

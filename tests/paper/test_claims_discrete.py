@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 from scipy import signal
-from tests.paper.pinned import check
 
 from similitude.paper import printed
 from similitude.paper.claims_discrete import discrete_claims, lines_off, recursion, transfer_19
+
+from .pinned import check
 
 
 def test_claims_are_the_pinned_ones():

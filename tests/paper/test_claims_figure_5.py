@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from tests.paper.pinned import DRIVEN, check
 
 from similitude.paper.claims_discrete import recursion
 from similitude.paper.claims_figure_5 import figure_5_claims, tracking, updates_to_cover
 from similitude.paper.drives import square
+
+from .pinned import DRIVEN, check
 
 
 def test_claims_are_the_pinned_ones():

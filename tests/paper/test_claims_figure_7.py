@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from tests.paper.pinned import DRIVEN, check
 
 from similitude.paper.claims_figure_7 import excursions, figure_7_claims
 from similitude.paper.drives import belt, belt_scheduled
+
+from .pinned import DRIVEN, check
 
 
 @pytest.mark.slow

@@ -1,9 +1,10 @@
 """Claims about range, groups and scales."""
 
 import pytest
-from tests.paper.pinned import check
 
 from similitude.paper.claims_groups import extremes, group_claims, similar_speed, test_vehicle_groups
+
+from .pinned import check
 
 
 def test_claims_are_the_pinned_ones():

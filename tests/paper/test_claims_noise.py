@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from tests.paper.pinned import check
 
 from similitude.paper import printed
 from similitude.paper.claims_noise import biases, drawn_cars, noise_claims, steer_of
+
+from .pinned import check
 
 
 @pytest.mark.slow

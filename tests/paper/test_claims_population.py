@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tests.paper.pinned import check
 
 from similitude.paper import printed
 from similitude.paper.claims_population import origin_slopes, poles, population_claims, share_below_zero
+
+from .pinned import check
 
 DATA = Path(__file__).parents[2] / "data"
 

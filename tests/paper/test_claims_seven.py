@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from tests.paper.pinned import check
 
 from similitude.paper import printed, seven
 from similitude.paper.claims_seven import seven_claims, stiffness, two_fits
+
+from .pinned import check
 
 
 def test_claims_are_the_pinned_ones():

@@ -1,8 +1,8 @@
 """Every erratum leads to a claim that is made, and those that misprint do not simply hold."""
 
-from tests.paper.pinned import FILE
-
 from similitude.paper.errata import ERRATA
+
+from .pinned import FILE
 
 
 def test_every_erratum_has_a_claim():

@@ -3,11 +3,12 @@
 import json
 
 import pytest
-from tests.paper.reproduced import small
 
 from similitude.errors import UsageError
 from similitude.paper import folder
 from similitude.paper.pictures import PICTURES
+
+from .reproduced import small
 
 
 @pytest.fixture(autouse=True)

@@ -2,11 +2,11 @@
 
 import json
 
-from tests.paper.pinned import FILE
-from tests.paper.reproduced import small
-
 from similitude.paper.claim import VERDICTS
 from similitude.paper.reproduction import SUBJECTS
+
+from .pinned import FILE
+from .reproduced import small
 
 
 def test_there_are_enough_claims_and_enough_that_do_not_simply_hold():

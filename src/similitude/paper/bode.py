@@ -82,15 +82,21 @@ def step_response(vehicle: Mapping[str, float], t: float) -> tuple[float, Sensit
     return float(value), {n: float(d / value) for n, d in {**moves, "t": by_time}.items()}
 
 
-def transfer_function(vehicle: Mapping[str, float], s: complex) -> tuple[complex, Sensitivities]:
-    """G(s) of eq 4 and its sensitivities at a complex frequency s [rad/s], s among them."""
+@lru_cache
+def _transfer() -> tuple:
+    """G(s) and its derivative by each argument, s last, as functions of all of them."""
     _, _, block, p = _model()
     z = sp.Symbol("s")
-    G = ((z * sp.eye(2) - block[:2, :2]).inv() * block[:2, 2])[1]
-    at = dict(zip(p, (vehicle[n] for n in PARAMETERS), strict=True)) | {z: s}
-    value = complex(G.subs(at))
-    arguments = {**dict(zip(PARAMETERS, p, strict=True)), "s": z}
-    return value, {n: complex((q * G.diff(q)).subs(at)) / value for n, q in arguments.items()}
+    G = sp.cancel(((z * sp.eye(2) - block[:2, :2]).inv() * block[:2, 2])[1])
+    return sp.lambdify([*p, z], [G, *(G.diff(q) for q in [*p, z])])
+
+
+def transfer_function(vehicle: Mapping[str, float], s: complex) -> tuple[complex, Sensitivities]:
+    """G(s) of eq 4 and its sensitivities at a complex frequency s [rad/s], s among them."""
+    at = {**{n: vehicle[n] for n in PARAMETERS}, "s": s}
+    value, *slopes = _transfer()(*at.values())
+    moves = {n: x * d / value for (n, x), d in zip(at.items(), slopes, strict=True)}
+    return complex(value), {n: complex(d) for n, d in moves.items()}
 
 
 def state_space_residual() -> tuple[int, sp.Expr]:

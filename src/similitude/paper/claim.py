@@ -8,7 +8,7 @@ on the machine.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -43,7 +43,6 @@ class Claim:
     unit: str = "-"
     condition: str = ""
     why: str = ""
-    section: str = field(default="", compare=False)
 
     @property
     def record(self) -> dict[str, Any]:
