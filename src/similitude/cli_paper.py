@@ -39,7 +39,7 @@ def paper(
     from similitude.paper.reproduction import SUBJECTS, reproduce
     from similitude.report.progress import ProgressBar
 
-    steps = len(SUBJECTS) + len(PICTURES) + 1
+    steps = len(SUBJECTS) + len(PICTURES) + 2
     with ProgressBar(steps, console=Console(stderr=True)) as bar:
         done = reproduce(bar.begin)
         files = write(done, out)

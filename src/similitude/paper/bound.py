@@ -23,6 +23,7 @@ from similitude.paper.drives import NOISE, Drive, prior_of
 from similitude.simulate import bicycle_response
 
 Array = NDArray[np.float64]
+EVERY = 10  # rows that are taken together; a servo of 5 Hz moves little in 10 ms
 STEP = 1e-4  # of a coordinate; central differences of an exact response
 
 
@@ -35,30 +36,33 @@ def bound(drive: Drive, changes: Sequence[float]) -> Array:
     changes : times at which the stiffness changes [s], increasing.
     """
     edges = [0.0, *changes, float(drive.t[-1]) + 1.0]
-    stretches = [drive.during(a, b) for a, b in pairwise(edges)]
-    s = _sensitivities(drive, stretches) / NOISE
+    t = drive.t[::EVERY]
+    stretches = [(t >= a) & (t < b) for a, b in pairwise(edges)]
+    s = _sensitivities(drive, stretches) / (NOISE / np.sqrt(EVERY))
     prior = prior_of(drive.scenario.name)
     p, q = len(stretches), len(prior.names) - 1
     J = np.zeros((p + q + 1, p + q + 1))
     J[:p, :p] = np.eye(p) / prior.covariance[0, 0]
     J[p : p + q, p : p + q] = np.linalg.inv(prior.covariance[1:, 1:])
     J[-1, -1] = 1 / MEASURED_STEER_SD**2
-    sd, every = np.empty(drive.t.size), 50  # rows between two inversions
-    for first in range(0, drive.t.size, every):
+    sd, every = np.empty(t.size), 5  # rows between two inversions
+    for first in range(0, t.size, every):
         rows = slice(first, first + every)
         J = J + s[rows].T @ s[rows]
         now = next(i for i, there in enumerate(stretches) if there[first])
         sd[rows] = np.sqrt(np.linalg.inv(J)[now, now])
-    return sd
+    return np.repeat(sd, EVERY)[: drive.t.size]
 
 
 def _sensitivities(drive: Drive, stretches: list[NDArray[np.bool_]]) -> Array:
-    """d r/d(coordinate), (n, coordinates) [rad/s], by differences about the true car."""
+    """d r/d(coordinate), (n/EVERY, coordinates) [rad/s], by differences about the true car."""
     groups = drive.scenario.vehicle.nominal().groups
     count = len(stretches) + 4
     cars = 2 * count
-    K = np.repeat(drive.K[None, :], cars, axis=0)
-    steer = np.repeat(drive.delta[None, :], cars, axis=0)
+    thin = slice(None, None, EVERY)
+    K = np.repeat(drive.K[None, thin], cars, axis=0)
+    steer = np.repeat(drive.delta[None, thin], cars, axis=0)
+    U = np.repeat(drive.U[None, thin], cars, axis=0)
     values = {name: np.full((cars, 1), groups[name]) for name in ("pi1", "eta", "rho")}
     for i in range(count):
         for row, sign in ((2 * i, 1), (2 * i + 1, -1)):
@@ -72,5 +76,5 @@ def _sensitivities(drive: Drive, stretches: list[NDArray[np.bool_]]) -> Array:
                 values[name][row] = (
                     values[name][row] + sign * STEP if name == "pi1" else values[name][row] * factor
                 )
-    r, _ = bicycle_response(drive.t, steer, drive.U[None, :].repeat(cars, 0), L=drive.L, K=K, **values)
+    r, _ = bicycle_response(drive.t[thin], steer, U, L=drive.L, K=K, **values)
     return ((r[0::2] - r[1::2]) / (2 * STEP)).T

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.paper import printed
+from similitude.paper.ahead import kept
+from similitude.paper.bound import bound
 from similitude.paper.claim import Claim, claim, number_claim
 from similitude.paper.drives import (
     Drive,
@@ -27,7 +29,7 @@ Array = NDArray[np.float64]
 DRY, WET, PLANING, RETURN = (5.0, 60.0), (62.0, 70.0), (72.0, 83.0), (85.0, 90.0)  # s
 SEEDS = (1, 2, 3)
 PLANING_SHORT = (15.0, 28.0)  # s, in the scenario wet_lane
-CHANGES_7 = (60.6, 70.0, 72.0, 83.0, 85.6)  # s
+CHANGES = (60.6, 70.0, 72.0, 83.0, 85.6)  # s
 
 
 def figure_7_claims() -> list[Claim]:
@@ -57,6 +59,15 @@ def belt_filter() -> tuple[Array, Array]:
     """The population filter on Figure 7 with the gyro: K and sd of ln K, (n,) each."""
     drive = belt()
     return population_reads(drive, drive.r_gyro)
+
+
+@kept
+def least_sd() -> Array:
+    """A bound on Figure 7, (n,) [-]: of linear tyres on a smooth belt, which is less than any that is true.
+
+    Tyres that saturate say less of the slope at small slip, and an uneven belt says less of everything.
+    """
+    return bound(belt(), CHANGES)
 
 
 def excursions(drive: Drive, first: float, last: float) -> dict[str, float]:
@@ -215,7 +226,7 @@ def _scheduled() -> Claim:
     )
 
 
-@lru_cache
+@kept
 def wet_lane_runs() -> list[tuple[dict[str, float], dict[str, float]]]:
     """Excursions while hydroplaning in wet_lane with the fixed and the scheduled gain, one pair a seed."""
     runs = []
@@ -249,7 +260,7 @@ def _scheduled_seeds() -> Claim:
     )
 
 
-@lru_cache
+@kept
 def grip_alone() -> tuple[float, float]:
     """Mean of ln K as the filter reads it, after minus before, in peak_only and in friction_step."""
     found = []

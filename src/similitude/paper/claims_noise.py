@@ -5,8 +5,6 @@ Invariant: the closed form is the shipped one (`estimators.paper_bias`), held ag
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import butter, lfilter
@@ -14,6 +12,7 @@ from scipy.signal import butter, lfilter
 from similitude.estimators.paper_bias import predicted_bias
 from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 from similitude.paper import printed
+from similitude.paper.ahead import kept
 from similitude.paper.claim import Claim, claim
 from similitude.paper.claims_controller import SERVO
 from similitude.paper.drives import square
@@ -35,7 +34,7 @@ def noise_claims() -> list[Claim]:
     return [_filter_removes_noise(), _closed_form(), _frozen(), _full_size()]
 
 
-@lru_cache
+@kept
 def biases() -> dict[float, tuple[float, float]]:
     """Noise of the gyro [deg/s] -> relative bias of pi3 as simulated and as predicted [-].
 
@@ -160,7 +159,7 @@ def drawn_cars() -> dict[str, Array]:
     }
 
 
-@lru_cache
+@kept
 def frozen_error() -> float:
     """What freezing at the averages does to ln K, rms over cars, against each car's own groups [-]."""
     cars = drawn_cars()
@@ -168,7 +167,7 @@ def frozen_error() -> float:
     return float(np.sqrt(np.mean(np.square(np.log(both[0] / both[1])))))
 
 
-@lru_cache
+@kept
 def full_size_errors() -> dict[float, list[float]]:
     """Servo [Hz] -> relative error of K of the average car at `SPEEDS`, its own groups known [-]."""
     n = len(SPEEDS)

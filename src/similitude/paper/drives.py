@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 from similitude.filter_config import MEASURED_STEER_SD, filter_config
 from similitude.filter_run import POPULATION
+from similitude.paper.ahead import kept
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
 from similitude.simulation.loop import Estimate
@@ -106,19 +107,19 @@ def _drive(scenario: Scenario, recording: Recording) -> Drive:
     )
 
 
-@lru_cache
+@kept
 def square() -> Drive:
     """Figure 5."""
     return drive_of(read_scenario("square_closed_loop", changes={"sensors.r.noise": GYRO}))
 
 
-@lru_cache
+@kept
 def belt() -> Drive:
     """Figure 7, with the fixed gain."""
     return drive_of(read_scenario("treadmill_hydroplaning"))
 
 
-@lru_cache
+@kept
 def belt_scheduled() -> Drive:
     """Figure 7 once more, the gain following the estimate of the filter that runs beside."""
     scenario = read_scenario("treadmill_hydroplaning", changes={"driver.schedule": "estimate"})

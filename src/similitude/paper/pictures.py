@@ -125,7 +125,9 @@ PICTURES = {
         "",
         "The same belt with the paper's fixed gain, and with the gain that follows the estimate of the "
         "filter running "
-        "beside. Bottom: the filter's estimate on the drive with the fixed gain.",
+        "beside. Below: the filter's estimate on the drive with the fixed gain, its error and sd, and a "
+        "bound of linear "
+        "tyres on a smooth belt, which no estimator can reach here: what the belt does is not known to it.",
         pictures_drives.today_7,
     ),
 }

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from similitude.paper.canvas import DARK, INK, LIGHT, MUTED, OURS, PAPER, TRUTH, WET, label, legend, panels
 from similitude.paper.claims_figure_5 import CHANGES, filter_reads, least_sd, paper_reads
 from similitude.paper.claims_figure_7 import belt_filter, belt_paper
+from similitude.paper.claims_figure_7 import least_sd as belt_least_sd
 from similitude.paper.drives import Drive, belt, belt_scheduled, regression_reads, square
 
 THIN = slice(None, None, 20)
@@ -126,7 +127,7 @@ def today_5() -> Figure:
 
 def today_7() -> Figure:
     """Figure 7's drive with the fixed gain and with the gain that follows the running filter."""
-    figure, axes = panels(4, 7.0)
+    figure, axes = panels(5, 8.2)
     fixed, follows = belt(), belt_scheduled()
     axes[0].plot(fixed.t[THIN], fixed.wanted[THIN], color=MUTED, lw=0.9, ls=(0, (2, 2)), label="wanted")
     for drive, colour, name in ((fixed, PAPER, "fixed gain"), (follows, OURS, "gain follows the estimate")):
@@ -153,9 +154,19 @@ def today_7() -> Figure:
     )
     axes[3].plot(fixed.t[THIN], fixed.pi3[THIN], color=TRUTH, lw=0.9, label="true, mean of the front wheels")
     axes[3].set_ylim(0, 0.5)
-    label(axes[3], "t [s]", "π3 [-]")
+    label(axes[3], y="π3 [-]")
     legend(axes[3], "upper left", 2)
-    axes[3].set_xlim(0, 110)
+    axes[4].semilogy(
+        fixed.t[THIN], np.abs(np.log(K / fixed.K))[THIN], color=LIGHT, lw=0.8, label="|error of ln K|"
+    )
+    axes[4].semilogy(fixed.t[THIN], sd[THIN], color=OURS, lw=1.3, label="the filter's sd")
+    axes[4].semilogy(
+        fixed.t[THIN], belt_least_sd()[THIN], color=INK, lw=1.1, ls="--", label="bound, smooth belt"
+    )
+    axes[4].set_ylim(1e-3, 5)
+    label(axes[4], "t [s]", "of ln K [-]")
+    legend(axes[4], "upper left", 3)
+    axes[4].set_xlim(0, 110)
     for one in axes:
         one.axvspan(70, 83, color=LIGHT, alpha=0.35, lw=0, zorder=0)
     return figure

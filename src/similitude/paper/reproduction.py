@@ -10,17 +10,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from similitude.paper.ahead import compute_ahead
 from similitude.paper.claim import VERDICTS, Claim
 from similitude.paper.claims_controller import controller_claims
 from similitude.paper.claims_cost import cost_claims
 from similitude.paper.claims_discrete import discrete_claims
 from similitude.paper.claims_figure_5 import figure_5_claims
-from similitude.paper.claims_figure_7 import figure_7_claims
+from similitude.paper.claims_figure_7 import figure_7_claims, grip_alone, wet_lane_runs
 from similitude.paper.claims_groups import group_claims
 from similitude.paper.claims_invariance import invariance_claims
 from similitude.paper.claims_noise import noise_claims
 from similitude.paper.claims_population import population_claims
 from similitude.paper.claims_seven import seven_claims
+from similitude.paper.drives import belt, belt_scheduled, square
 from similitude.paper.equations import EQUATIONS, Equation
 
 SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
@@ -35,6 +37,7 @@ SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
     "Figure 5": figure_5_claims,
     "Figure 7 and the scheduled gain": figure_7_claims,
 }
+LONG = (belt_scheduled, belt, wet_lane_runs, grip_alone, square)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +77,8 @@ def reproduce(begin: Callable[[str], None] = lambda text: None, *, drawn: bool =
     -------
     Reproduction
     """
+    begin("drives")
+    compute_ahead(LONG)
     subjects = {}
     for name, claims in SUBJECTS.items():
         begin(name)
