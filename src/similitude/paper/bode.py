@@ -7,7 +7,7 @@ coefficient of the z-transform (eq 21). Derivatives of matrix exponentials are F
 
 References
 ----------
-Brennan & Alleyne 2004, eqs 9, 13, 15 and 16; with t, s or the sample time among the arguments, which
+Brennan & Alleyne 2004, eqs 6-9 and eqs 13-16; with t, s or the sample time among the arguments, which
 the paper leaves out.
 """
 

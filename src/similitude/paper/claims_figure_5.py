@@ -189,7 +189,7 @@ def _today() -> Claim:
         holds=found["rms"] < 0.10 and found["half_way"] < 1.0,
         tolerance="rms of ln K below 0.10, half-way within 1 s",
         digits=2,
-        unit="-, s",
+        unit="(rms), s",
         why=f"Printed are the bounds, ours the rms of ln K in the second half of each hold and the median "
         f"delay to "
         f"half-way. Its 95 % interval holds the truth {100 * found['coverage']:.0f} % of the time. On the "
