@@ -10,6 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from similitude.errors import CompileError
+from similitude.filter_run import POPULATION
 from similitude.paper.ahead import compute_ahead
 from similitude.paper.claim import VERDICTS, Claim
 from similitude.paper.claims_controller import controller_claims
@@ -24,6 +26,7 @@ from similitude.paper.claims_population import population_claims
 from similitude.paper.claims_seven import seven_claims
 from similitude.paper.drives import belt, belt_scheduled, square
 from similitude.paper.equations import EQUATIONS, Equation
+from similitude.program.library import shipped
 
 SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
     "Sensitivity invariance": invariance_claims,
@@ -76,7 +79,12 @@ def reproduce(begin: Callable[[str], None] = lambda text: None, *, drawn: bool =
     Returns
     -------
     Reproduction
+
+    Raises
+    ------
+    CompileError   there is no C compiler; the scalar twin would take too long for drives of 1 kHz
     """
+    _check_compiler()
     begin("drives")
     compute_ahead(LONG)
     subjects = {}
@@ -91,3 +99,14 @@ def reproduce(begin: Callable[[str], None] = lambda text: None, *, drawn: bool =
 
         pictures = draw_all(begin)
     return Reproduction(subjects, residuals, pictures)
+
+
+def _check_compiler() -> None:
+    library = shipped(POPULATION)
+    if library.c is None:
+        raise CompileError(
+            f"the paper cannot be reproduced without a C compiler: {library.why_slow}",
+            usually="there is none on this machine, or SIMILITUDE_CC names one that does not work.",
+            paste="pip install 'similitude[cc]'",
+            read='docs/paper.md, "The command"',
+        )
