@@ -61,10 +61,10 @@ def _print(done, files: dict[str, str]) -> None:
     from similitude.paper.folder import REPORT
 
     table = Table(title="The paper's claims", title_justify="left", box=box.SIMPLE_HEAD)
-    for heading in ("claim", "where", "printed", "ours", "verdict"):
-        table.add_column(heading, overflow="fold")
+    for heading in ("claim", "printed", "ours", "verdict"):
+        table.add_column(heading, overflow="fold", no_wrap=heading in ("claim", "verdict"))
     for claim in done.claims:
-        table.add_row(claim.id, claim.where, shown(claim.printed), shown(claim.ours), claim.verdict)
+        table.add_row(claim.id, shown(claim.printed), shown(claim.ours), claim.verdict)
     console = Console(highlight=False)
     console.print(table)
     count = ", ".join(f"{n} {word}" for word, n in done.count().items())
