@@ -42,7 +42,8 @@ FLOW = (
     "simulate systems generate",
     "simulation",
     "embedded",
-    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli_export cli",
+    "paper",
+    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli_export cli_paper cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

@@ -23,6 +23,7 @@ from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_export import export
 from similitude.cli_inspect import inspect
+from similitude.cli_paper import paper
 from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
@@ -138,6 +139,7 @@ app.command()(analyze)
 app.command()(simulate)
 app.command()(compare)
 app.command()(export)
+app.command()(paper)
 
 
 @app.command()

@@ -20,6 +20,7 @@ from similitude.report.html_page import (
     markup,
     page,
     paragraph,
+    picture,
     section,
     strong,
     table,
@@ -125,3 +126,11 @@ def test_details_are_closed(strict_html):
 
     assert strict_html(closed).text == "<more> inside"
     assert "open" not in closed
+
+
+def test_a_picture_is_part_of_the_page_and_its_words_are_escaped(strict_html):
+    made = page("p", [section("s", picture(b"png", EVIL, EVIL, "note"))], {})
+    said = strict_html(made)
+
+    assert 'src="data:image/png;base64,cG5n"' in made
+    assert said.text.count(" ".join(EVIL.split())) == 2 and "<img src=x" not in made

@@ -113,7 +113,7 @@ def slopes(T: float, *, pi1: float, pi4_slope: float, pi5: float) -> tuple[float
 def exact_coefficients(
     pi3: ArrayLike, T: float, *, pi1: float, pi4_slope: float, pi5: float
 ) -> NDArray[np.float64]:
-    """b1, b2, a1 + 2, a2 - 1 of the exact zero-order hold of eq 19.
+    """b1, b2, a1 + 2, a2 - 1 of eq 21: the exact zero-order hold of eq 19.
 
     Parameters
     ----------

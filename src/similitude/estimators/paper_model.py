@@ -70,7 +70,7 @@ def regression(
 
     References
     ----------
-    Brennan & Alleyne 2004, eqs 21-23 (with T once in m2, as its eq 23 has it).
+    Brennan & Alleyne 2004, eqs 20-23 (with T once in m2, as its eq 23 has it).
     """
     groups = reduction.groups
     model, pi = groups.model, sp.Symbol(unknown, real=True)

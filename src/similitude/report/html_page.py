@@ -9,6 +9,7 @@ somebody else and is escaped. A page loads nothing from anywhere, and equal part
 
 from __future__ import annotations
 
+import base64
 import html
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -151,6 +152,21 @@ def figure(name: str, chart: Chart) -> Html:
     inside = _element("figcaption", Html(caption)) + _element("div", Html(""), "legend")
     inside += _element("div", Html(""), "plot", style=f"min-height:{chart.height}px")
     return _element("figure", Html(inside), "chart", id=f"chart-{name}")
+
+
+def picture(png: bytes, title: str, *notes: str) -> Html:
+    """Show a picture that is part of the page.
+
+    Parameters
+    ----------
+    png : bytes       a PNG file, which becomes part of the page
+    title : str       the caption, and what is said where pictures are not shown
+    notes : str       further lines of the caption, quieter
+    """
+    data = base64.b64encode(png).decode("ascii")
+    shown = Html(f'<img src="data:image/png;base64,{data}" alt="{html.escape(title)}">')
+    said = joined(_element("p", markup(note), "quiet") for note in notes)
+    return _element("figure", shown + _element("figcaption", markup(title)) + said, "picture")
 
 
 def page(title: str, parts: Sequence[object], charts: Mapping[str, Chart]) -> str:

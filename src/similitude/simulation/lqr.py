@@ -5,7 +5,7 @@
 
 References
 ----------
-Brennan & Alleyne 2004, eqs 1 (the states) and 29 to 32 (the design).
+Brennan & Alleyne 2004, eqs 1-3 (the model) and eqs 29-32 (the design).
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ def path_matrices(car: Car, U: float, stiffness: float = 1.0) -> tuple[NDArray, 
 
     References
     ----------
-    Brennan & Alleyne 2004, eq 1.
+    Brennan & Alleyne 2004, eqs 1-3.
     """
     Cf, Cr = car.Caf * stiffness, car.Car * stiffness
     m, Iz, a, b = car.m, car.Iz, car.a, car.b

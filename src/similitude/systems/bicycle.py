@@ -50,7 +50,7 @@ BICYCLE = Model(
 
 
 def bicycle_groups() -> Groups:
-    """The paper's five groups, base m, L, U (eq 17)."""
+    """The paper's five groups, base m, L, U (eq 17), and the model rewritten in them (eq 19)."""
     return reparameterize(BICYCLE, base=("m", "L", "U"))
 
 
