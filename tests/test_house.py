@@ -25,6 +25,7 @@ FLOW = (
     "finding readers log_quantities log_names log_columns log_time log_cells log_plausibility",
     "log_sensors log_speed log_response log_fixes",
     "log_survey log",
+    "populations",
     "vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
