@@ -38,7 +38,7 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
-    "cli_complaint cli_usage cli_inspect cli_simulate cli_compare cli",
+    "cli_complaint cli_usage cli_inspect cli_population cli_simulate cli_compare cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

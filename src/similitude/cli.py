@@ -19,6 +19,7 @@ import typer
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_inspect import inspect
+from similitude.cli_population import population
 from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
@@ -130,6 +131,7 @@ def identify(
 
 
 app.command()(inspect)
+app.command()(population)
 app.command()(simulate)
 app.command()(compare)
 

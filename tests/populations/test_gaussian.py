@@ -27,13 +27,13 @@ def coordinates(values):
 
 def test_a_complete_normal_table_gives_its_sample_moments():
     """Of 400 normal rows of six coordinates one lies beyond 3.5 sds and ten beyond the 97.5 % of a row: cut
-    down, they move a mean by less than half its standard error."""
+    down, they move a mean by less than half its standard error, and cost an sd 3 % at most."""
     values = axles(400, 1, scatter=0.1)
     fit, n = fit_gaussian(table_of(values), SPACE), 400
     z = np.column_stack([coordinates(values)[name] for name in SPACE.names])
 
     assert np.all(np.abs(fit.mean - z.mean(axis=0)) < 0.5 * z.std(axis=0) / np.sqrt(n))
-    assert np.sqrt(np.diag(fit.covariance)) == pytest.approx(z.std(axis=0), rel=2 / np.sqrt(2 * n))
+    assert np.sqrt(np.diag(fit.covariance)) == pytest.approx(z.std(axis=0), rel=2 / np.sqrt(2 * n) + 0.03)
     assert fit.count == pytest.approx(n, rel=1e-3)
     np.testing.assert_allclose(fit.rows, z, atol=1e-3)
 

@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 FEWEST = {2: 5, 3: 8}  # rows for a constraint of so many groups
-OF_SPREAD = 0.02  # largest rms residual, as a share of the columns' own spread
+OF_SPREAD = 0.02  # largest rms residual, as a share of what each column's spread adds to the sum
+LEAST = 0.01  # share of the column that adds least
 OF_VALUE = 1e-3  # and as a share of the values: tables have four digits
 
 
@@ -46,12 +47,12 @@ def _null(block: NDArray) -> tuple[list[float], float] | None:
     if (spread <= 1e-9 * np.abs(block).mean(axis=0)).any():
         return None
     centred = (block - block.mean(axis=0)) / spread
-    _, singular, vectors = np.linalg.svd(centred, full_matrices=False)
-    if singular[-1] > OF_SPREAD * np.sqrt(len(block)) or singular[-2] < OF_SPREAD * np.sqrt(len(block)):
+    _, _, vectors = np.linalg.svd(centred, full_matrices=False)
+    share = np.abs(vectors[-1]).min()  # of the column that the sum needs least
+    left = (centred @ vectors[-1]).std()
+    if share < LEAST or left > OF_SPREAD * share:
         return None
     direction = vectors[-1] / spread
-    if (np.abs(vectors[-1]) < 0.05).any():
-        return None
     direction = direction / direction[0]
     sums = block @ direction
     if sums.std() > OF_VALUE * np.abs(block * direction).sum(axis=1).mean():

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 TRIES = 300  # pairs of rows tried as the first line
 WIDTH = 3.0  # robust sds beyond which a row is left out of a line
+CLEARLY = 0.9  # scatter of a form with one more coefficient, over that of the simpler, that makes it worth it
 DRAWS = 400  # of the bootstrap
 MAD = 1.4826  # sd of a normal distribution over its median absolute deviation
 
@@ -64,15 +65,16 @@ def fit_pair(x: NDArray, y: NDArray, *, draws: int = DRAWS) -> Fit:
 
     Returns
     -------
-    Fit      a proportion (kind "line", intercept 0) where the exponent's interval holds 1.
+    Fit      a proportion (kind "line", intercept 0) unless another form scatters clearly less.
     """
     kept = _near_a_line(x, y)
-    power = _power(x, y, kept, draws)
-    low, high = power.intervals["exponent"]
-    if low <= 1.0 <= high:
-        return proportion(x, y, draws=draws)
-    line = _line(x, y, kept, draws)
-    return line if line.scatter < 0.9 * power.scatter else power
+    best = proportion(x, y, draws=draws)
+    for other in (_power(x, y, kept, draws), _line(x, y, kept, draws)):
+        low, high = other.intervals.get("exponent", (np.inf, np.inf))
+        holds_one = low <= 1.0 <= high
+        if not holds_one and other.scatter < CLEARLY * best.scatter:
+            best = other
+    return best
 
 
 def proportion(x: NDArray, y: NDArray, *, draws: int = DRAWS) -> Fit:
@@ -140,8 +142,8 @@ def _power(x: NDArray, y: NDArray, kept: NDArray, draws: int) -> Fit:
     slope, intercept = total_least_squares(x[kept], y[kept])
     slopes, intercepts = total_least_squares(x[kept][drawn], y[kept][drawn])
     n = int(kept.sum())
-    coefficients = {"exponent": float(slope), "factor": float(np.exp(intercept))}
-    ends = np.exp(_ends(intercepts, intercept, n))
+    coefficients = {"exponent": float(slope), "factor": float(np.exp(np.clip(intercept, -700, 700)))}
+    ends = np.exp(np.clip(_ends(intercepts, intercept, n), -700, 700))  # a level line has any intercept
     intervals = {"exponent": _ends(slopes, slope, n), "factor": (float(ends[0]), float(ends[1]))}
     return Fit("power", coefficients, intervals, _sd(y[kept] - slope * x[kept] - intercept), kept)
 

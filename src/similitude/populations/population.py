@@ -97,12 +97,16 @@ class Population:
             found.setdefault(name, describe(name, self.table.value[:, j], self.table.weight))
         return {name: one for name, one in found.items() if one is not None}
 
-    def moments(self, products: list[Product]) -> tuple[NDArray, NDArray]:
-        """Mean (q,) and covariance (q, q) of the logarithms of products; NaN where no row teaches one."""
+    def moments(self, products: list[Product], *, predictive: bool = False) -> tuple[NDArray, NDArray]:
+        """Mean (q,) and covariance (q, q) of the logarithms of products; NaN where no row teaches one.
+
+        ``predictive``: of the next system, wider by what few rows leave open.
+        """
         wanted, extra = self.space.exponents(products)
         slopes = wanted @ self.space.slopes(self.gaussian.mean)
         mean = wanted @ self.space.logs(self.gaussian.mean) + extra
-        covariance = slopes @ self.gaussian.covariance @ slopes.T
+        own = self.gaussian.predictive if predictive else self.gaussian.covariance
+        covariance = slopes @ own @ slopes.T
         unknown = self.gaussian.count < FEWEST
         lost = (np.abs(slopes[:, unknown]) > 1e-9).any(axis=1)
         mean[lost] = np.nan
@@ -124,13 +128,23 @@ class Population:
         draw = np.concatenate([rng.choice(rows, len(rows)) for rows in alike])
         return refit(self, self.table.rows(np.sort(draw)))
 
-    def intervals(self, draws: int = 100, *, seed: int = 0) -> tuple[NDArray, NDArray]:
-        """95 % bootstrap intervals of mean (q, 2) and sd (q, 2) of ln groups."""
-        drawn = [self.resampled(seed + i).group_moments for i in range(draws)]
+    def intervals(
+        self, draws: int = 100, *, seed: int = 0, products: list[Product] | None = None
+    ) -> tuple[NDArray, NDArray]:
+        """95 % bootstrap intervals of mean (q, 2) and sd (q, 2) of ln groups, or of other products."""
+        wanted = products or [g.exponents for g in self.groups.groups]
+        drawn = [self.resampled(seed + i).moments(wanted) for i in range(draws)]
         means = np.array([mean for mean, _ in drawn])
         sds = np.array([np.sqrt(np.diag(covariance)) for _, covariance in drawn])
-        with np.errstate(invalid="ignore"):
-            return tuple(np.nanpercentile(x, (2.5, 97.5), axis=0).T if len(x) else x for x in (means, sds))
+        return tuple(_percentiles(x) for x in (means, sds))
+
+
+def _percentiles(drawn: NDArray) -> NDArray:
+    """2.5 and 97.5 % of each column, (q, 2), NaN where a column has no numbers."""
+    ends = np.full((drawn.shape[1], 2), np.nan)
+    taught = np.isfinite(drawn).any(axis=0)
+    ends[taught] = np.nanpercentile(drawn[:, taught], (2.5, 97.5), axis=0).T
+    return ends
 
 
 def populate(

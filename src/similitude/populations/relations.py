@@ -25,6 +25,7 @@ from similitude.populations.population import Population
 
 LEVEL = 0.01  # share of false discoveries that is accepted
 LARGEST = 4  # groups in one product
+BETTER = 0.8  # out-of-sample error over that of a part, that makes one more group worth it
 SHOWN = 8  # candidates that are kept although they are no discoveries
 FEWEST_TO_TRIM = 8  # systems below which none is left out as far from the others
 
@@ -76,7 +77,8 @@ class Relation:
             return f"{y} = {c['factor']:.4g} {x}^{c['exponent']:.3g}"
         above = " ".join(g for g in self.groups if c[g] > 0)
         below = " ".join(g for g in self.groups if c[g] < 0)
-        return f"{above or '1'}{f'/({below})' if below else ''} = {c['constant']:.4g}"
+        below = f"({below})" if " " in below else below
+        return f"{above or '1'}{f'/{below}' if below else ''} = {c['constant']:.4g}"
 
 
 @dataclass(frozen=True)
@@ -208,7 +210,8 @@ def _products(columns: _Columns, places: tuple[int, ...]) -> list[Tested]:
                 break
             p, given = probability(own @ rest, own[:, j] * e[j], base, opposite=True)
             worst = max(worst, p)
-        found.append((worst, given, places, tuple(int(x) for x in e)))
+        last = int(e[-1])  # written with the last group above the line
+        found.append((worst, given, places, tuple(int(x) * last for x in e)))
     return found
 
 
@@ -236,13 +239,19 @@ def _relative(columns: _Columns, one: Tested) -> float:
 
 
 def _leading(found: list[Relation]) -> list[Relation]:
-    """Without products that a smaller discovery among their members already predicts as well."""
+    """Pairs, and products of which no part predicts as well and that are no part of a better one."""
     kept: list[Relation] = []
     for one in sorted(found, key=lambda r: (len(r.groups), r.out_of_sample)):
         parts = [k for k in kept if set(k.groups) < set(one.groups)]
-        if all(one.out_of_sample < 0.8 * part.out_of_sample for part in parts):
+        if all(one.out_of_sample < BETTER * part.out_of_sample for part in parts):
             kept.append(one)
-    return kept
+    return [
+        one for one in kept
+        if len(one.groups) == 2 or not any(
+            set(one.groups) < set(more.groups) and more.out_of_sample < BETTER * one.out_of_sample
+            for more in kept
+        )
+    ]  # fmt: skip
 
 
 def _fitted(columns: _Columns, one: Tested, q: float, *, found: bool) -> Relation:

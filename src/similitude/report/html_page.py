@@ -9,6 +9,7 @@ somebody else and is escaped. A page loads nothing from anywhere, and equal part
 
 from __future__ import annotations
 
+import base64
 import html
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -151,6 +152,19 @@ def figure(name: str, chart: Chart) -> Html:
     inside = _element("figcaption", Html(caption)) + _element("div", Html(""), "legend")
     inside += _element("div", Html(""), "plot", style=f"min-height:{chart.height}px")
     return _element("figure", Html(inside), "chart", id=f"chart-{name}")
+
+
+def picture(title: str, png: bytes) -> Html:
+    """Write a PNG picture into the page, with its caption.
+
+    Parameters
+    ----------
+    title : str     the caption, any text
+    png : bytes     of a PNG file
+    """
+    data = base64.b64encode(png).decode("ascii")
+    image = f'<img src="data:image/png;base64,{data}" alt="{html.escape(title)}" style="max-width:100%">'
+    return _element("figure", Html(image) + _element("figcaption", markup(title)), "picture")
 
 
 def page(title: str, parts: Sequence[object], charts: Mapping[str, Chart]) -> str:
