@@ -123,8 +123,12 @@ def groups_that_cluster() -> list[str]:
     tables = bundled_tables(ROOT / "data", GROUPS.model)
     population = populate(GROUPS, tables["passenger_cars"])
     relations = relate(population)
-    return [f"passenger_cars: {one.text}  n {one.n}  out of sample {one.out_of_sample:.3f}  p {one.p:.3g}"
-            f"  {'found' if one.found else 'not proven'}  95 % {one.interval[0]:.4g} to {one.interval[1]:.4g}"
+    logs = population.logs
+    k, eta = logs[:, 3] - logs[:, 2], logs[:, 3] - logs[:, 2] + logs[:, 1] - logs[:, 0]
+    said = [f"cars that state both axles: sd of ln pi4/pi3 {np.nanstd(k, ddof=1):.3f}, of ln eta "
+            f"{np.nanstd(eta, ddof=1):.3f}, n {np.isfinite(eta).sum()}"]  # fmt: skip
+    return said + [f"passenger_cars: {one.text}  n {one.n}  out of sample {one.out_of_sample:.3f}"
+            f"  p {one.p:.3g}  {'found' if one.found else 'not proven'}  95 % {one.interval[0]:.4g} to {one.interval[1]:.4g}"
             for one in (*relations, *relations.candidates)]  # fmt: skip
 
 

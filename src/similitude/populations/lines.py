@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 TRIES = 300  # pairs of rows tried as the first line
 WIDTH = 3.0  # robust sds beyond which a row is left out of a line
+FEWEST = 8  # rows below which only the proportion is fitted
 CLEARLY = 0.9  # scatter of a form with one more coefficient, over that of the simpler, that makes it worth it
 DRAWS = 400  # of the bootstrap
 MAD = 1.4826  # sd of a normal distribution over its median absolute deviation
@@ -69,6 +70,8 @@ def fit_pair(x: NDArray, y: NDArray, *, draws: int = DRAWS) -> Fit:
     """
     kept = _near_a_line(x, y)
     best = proportion(x, y, draws=draws)
+    if len(x) < FEWEST:
+        return best
     for other in (_power(x, y, kept, draws), _line(x, y, kept, draws)):
         low, high = other.intervals.get("exponent", (np.inf, np.inf))
         holds_one = low <= 1.0 <= high

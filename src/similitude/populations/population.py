@@ -136,7 +136,11 @@ class Population:
         drawn = [self.resampled(seed + i).moments(wanted) for i in range(draws)]
         means = np.array([mean for mean, _ in drawn])
         sds = np.array([np.sqrt(np.diag(covariance)) for _, covariance in drawn])
-        return tuple(_percentiles(x) for x in (means, sds))
+        own = np.sqrt(np.diag(self.moments(wanted)[1]))
+        with np.errstate(divide="ignore"):
+            # Reflected in the logarithm: an sd of resampled rows is low as that of the rows is.
+            reflected = 2 * np.log(own) - np.log(sds)
+        return _percentiles(means), np.exp(_percentiles(reflected))
 
 
 def _percentiles(drawn: NDArray) -> NDArray:

@@ -87,7 +87,8 @@ class Relations:
 
     Parameters
     ----------
-    constraints : exact.   discoveries : proven, best first.   candidates : best of what is not proven.
+    constraints : exact.   discoveries : proven, best first.   candidates : best of what is not proven, by
+    scatter over that of independent members.
     tried : int            relations that were tested; `level` of the discoveries may be false.
     """
 
@@ -221,13 +222,22 @@ def _depends(columns: _Columns, places: Sequence[int]) -> bool:
 
 
 def _scatter(values: NDArray) -> float:
+    """Robust sd; of few values the plain one."""
+    if len(values) < FEWEST_TO_TRIM:
+        return float(values.std(ddof=1))
     return float(MAD * np.median(np.abs(values - np.median(values))))
 
 
 def _promising(columns: _Columns, tested: list[Tested], q: NDArray, level: float) -> list[int]:
     """The best of what is not proven, by its scatter over what independent members would scatter."""
-    open_ = [i for i in range(len(tested)) if q[i] > level and tested[i][0] < 0.1]
+    open_ = [i for i in range(len(tested)) if q[i] > level and _may_be_one(columns, tested[i])]
     return sorted(open_, key=lambda i: _relative(columns, tested[i]))[:SHOWN]
+
+
+def _may_be_one(columns: _Columns, one: Tested) -> bool:
+    """Unlikely by chance; of fewer rows than can prove anything, only that every member helps."""
+    p, _, places, _ = one
+    return p < (1.0 if len(columns.known(places)) < FEWEST_TO_TRIM else 0.1)
 
 
 def _relative(columns: _Columns, one: Tested) -> float:

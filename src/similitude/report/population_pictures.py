@@ -111,7 +111,7 @@ def pairs_picture(logs: NDArray, names: tuple[str, ...], *, most: int = 6) -> Fi
             axes.set_xlabel(pretty_name(names[a]), color=INK)
         if i == 0:
             axes.set_ylabel(pretty_name(names[b]), color=INK)
-    figure.tight_layout()
+    figure.subplots_adjust(left=0.11, right=0.98, top=0.95, bottom=0.09, wspace=0.35, hspace=0.4)
     return figure
 
 
@@ -144,9 +144,10 @@ def running_average_picture(values: Mapping[str, NDArray], *, seed: int = 0) -> 
 
 
 def _panels(count: int, size: tuple[float, float]):
-    figure = Figure(figsize=size, facecolor="white", layout="constrained")
+    figure = Figure(figsize=size, facecolor="white")
     FigureCanvasAgg(figure)
     panels = figure.subplots(1, count, squeeze=False)[0]
+    figure.subplots_adjust(left=0.08, right=0.98, top=0.88, bottom=0.19, wspace=0.12 + 0.1 * (count > 2))
     for axes in panels:
         _quiet(axes)
     return figure, panels
