@@ -128,7 +128,8 @@ def groups_that_cluster() -> list[str]:
     said = [f"cars that state both axles: sd of ln pi4/pi3 {np.nanstd(k, ddof=1):.3f}, of ln eta "
             f"{np.nanstd(eta, ddof=1):.3f}, n {np.isfinite(eta).sum()}"]  # fmt: skip
     return said + [f"passenger_cars: {one.text}  n {one.n}  out of sample {one.out_of_sample:.3f}"
-            f"  p {one.p:.3g}  {'found' if one.found else 'not proven'}  95 % {one.interval[0]:.4g} to {one.interval[1]:.4g}"
+            f"  p {one.p:.3g}  {'found' if one.found else 'not proven'}"
+            f"  95 % {one.interval[0]:.4g} to {one.interval[1]:.4g}"
             for one in (*relations, *relations.candidates)]  # fmt: skip
 
 

@@ -19,7 +19,7 @@ FLOW = (
     "program",
     "saturation",
     "model groups population reduction",
-    "matrix_function sampling sampled_linearity",
+    "matrix_function sampling sampled_linearity output_sensitivity directions",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
     "finding readers log_quantities log_names log_columns log_time log_cells log_plausibility",

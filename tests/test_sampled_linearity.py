@@ -65,8 +65,8 @@ def test_a_full_size_car_at_100_Hz_is_no_line():
     assert one.worst > 0.12 and one.estimator == "population"
 
 
-def test_the_transfer_function_is_scipys():
-    from similitude.sampled_linearity import _transfer
+def test_thesampled_transfer_function_is_scipys():
+    from similitude.sampled_linearity import sampled_transfer
 
     rng = np.random.default_rng(0)
     A, B, C = rng.normal(size=(3, 3)), rng.normal(size=(3, 1)), rng.normal(size=(1, 3))
@@ -74,7 +74,7 @@ def test_the_transfer_function_is_scipys():
 
     F, G, H, D, _ = cont2discrete((A, B, C, np.zeros((1, 1))), 0.1)
     num, den = ss2tf(F, G, H, D)
-    assert _transfer(A, B, C, 0.1) == pytest.approx(np.concatenate([num[0, 1:], den[1:]]), abs=1e-10)
+    assert sampled_transfer(A, B, C, 0.1) == pytest.approx(np.concatenate([num[0, 1:], den[1:]]), abs=1e-10)
 
 
 def test_a_range_given_twice_or_a_scale_left_out_is_said():

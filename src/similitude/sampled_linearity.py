@@ -153,13 +153,22 @@ def _sampler(reduction: Reduction, values: Mapping[str, float], step: float):
 
     def coefficients(x: float) -> NDArray:
         A, B, C = (np.array(m, dtype=float) for m in numeric(x))
-        return _transfer(A, B, C, T)
+        return sampled_transfer(A, B, C, T)
 
     return coefficients, T
 
 
-def _transfer(A: NDArray, B: NDArray, C: NDArray, T: float) -> NDArray:
-    """Numerator b1..bn and denominator a1..an of the model sampled with a held input."""
+def sampled_transfer(A: NDArray, B: NDArray, C: NDArray, T: float) -> NDArray:
+    """Transfer function of a linear model sampled with a held input.
+
+    Parameters
+    ----------
+    A (n, n), B (n, 1), C (1, n) : the model [-].    T : step [-].
+
+    Returns
+    -------
+    (2 n,)    numerator b1..bn and denominator a1..an.
+    """
     from scipy.linalg import expm
 
     n = len(A)

@@ -108,7 +108,7 @@ def fit_gaussian(
     """
     patterns, n = _patterns(table, space), len(table)
     strata = np.zeros(n, dtype=np.int64) if table.stratum is None else table.stratum
-    weight = table.weight * screened(patterns, space, n)
+    weight = table.weight * screened(patterns, space, table.weight)
     mean, S = _begin(patterns, space) if start is None else (start.mean, start.covariance)
     wide = np.diag(np.maximum(np.diag(S), 1e-4))
     held = _taught(patterns, space, weight, np.tile(mean, (n, 1)), wide) < FEWEST
@@ -200,17 +200,28 @@ def _told(
     return found
 
 
-def screened(patterns: Sequence[_Pattern], space: Coordinates, n: int) -> NDArray:
-    """Weights (n,) of rows: 0 where one of many rows lies impossibly far out, 1 elsewhere."""
-    weight = np.ones(n)
+def screened(patterns: Sequence[_Pattern], space: Coordinates, counts: NDArray) -> NDArray:
+    """Weights (n,) of rows: 0 where one of many rows lies impossibly far out, 1 elsewhere.
+
+    ``counts`` (n,): what each row counts; copies prove nobody else wrong.
+    """
+    weight = np.ones(len(counts))
     mean, _ = _begin(patterns, space)
     for told in _told(patterns, space, mean):
-        if sum(len(index) for index, *_ in told) >= ROWS_TO_SCREEN:
+        if sum(counts[index].sum() for index, *_ in told) >= ROWS_TO_SCREEN:
             index, z, noise = (np.concatenate(parts) for parts in zip(*told, strict=True))
-            far = np.abs(z - np.median(z)) / np.hypot(max(_robust_sd(z), 1e-2), noise)
+            centre = _weighted_median(z, counts[index])
+            spread = 1.4826 * _weighted_median(np.abs(z - centre), counts[index])
+            far = np.abs(z - centre) / np.hypot(max(spread, 1e-2), noise)
             low, high = SCREEN
             weight[index] *= (1 - np.clip((far - low) / (high - low), 0, 1) ** 2) ** 2
     return weight
+
+
+def _weighted_median(x: NDArray, weight: NDArray) -> float:
+    order = np.argsort(x)
+    passed = np.cumsum(weight[order])
+    return float(x[order][np.searchsorted(passed, 0.5 * passed[-1])])
 
 
 def _robust_sd(x: NDArray) -> float:

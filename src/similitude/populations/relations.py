@@ -156,10 +156,8 @@ def relate(population: Population, *, level: float = LEVEL, largest: int = LARGE
     rest = [
         _fitted(columns, tested[i], float(q[i]), found=False) for i in _promising(columns, tested, q, level)
     ]
-    best = sorted(_leading(proven), key=lambda one: one.out_of_sample)
-    return Relations(
-        constraints, tuple(best), tuple(sorted(rest, key=lambda one: one.out_of_sample)), len(tested), level
-    )
+    best = tuple(sorted(_leading(proven), key=lambda one: one.out_of_sample))
+    return Relations(constraints, best, tuple(rest), len(tested), level)
 
 
 def _columns(population: Population) -> _Columns:
