@@ -2,7 +2,7 @@
 
     M = sum over rows of s s'/sigma^2     information of the drive about the coordinates
     S                                     covariance of the population
-    S^1/2 M S^1/2                         its eigenvalues: squared moves of the output over the spread, in noise
+    S^1/2 M S^1/2                         eigenvalues: squared moves of the output over the spread, in noise
 
 Identify what moves the output most, learn or carry what still moves it by more than the noise, and forget
 what does not. Freezing the others, as the paper does, is the limit of zero covariance; what that costs in
