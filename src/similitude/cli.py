@@ -11,7 +11,9 @@ import contextlib
 import signal
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
+from threading import Thread
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -184,7 +186,7 @@ def _identify(
     """Identify each log by itself; one that fails does not stop the others."""
     from rich.console import Console
 
-    from similitude.report.files import directories
+    from similitude.report.folders import directories
     from similitude.report.progress import ProgressBar
     from similitude.vehicle_file import read_vehicle
 
@@ -209,8 +211,6 @@ def _identify_one(log, car, how, reading, directory, bar, state: Path | None) ->
     """Read, estimate and write one log, then the state it ends in; its summary and its run."""
     from similitude.identification import identify as identify_log
     from similitude.log import read_log
-    from similitude.report.files import write_report
-    from similitude.report.summary import summary
     from similitude.saved_state import read_state, write_state
 
     steps_before = bar.done
@@ -218,10 +218,15 @@ def _identify_one(log, car, how, reading, directory, bar, state: Path | None) ->
         bar.begin(f"{log.name}: reading")
         read = read_log(log, vehicle=car, **reading)
         bar.begin(f"{log.name}: estimating")
+        drawing = Thread(target=import_module, args=("similitude.report.files",))
+        drawing.start()  # the libraries that draw load while the loops in C run
         if state is not None and state.exists():
             how = {**how, "state": read_state(state)}
         run = identify_log(read, car, **how)
         bar.begin(f"{log.name}: drawing")
+        from similitude.report.files import write_report
+        from similitude.report.summary import summary
+
         record = summary(run, write_report(run, directory))
         if state is not None:
             write_state(run.memory, state)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -42,12 +43,17 @@ class Setup:
     first_step: float | None = None  # s from the last row of an earlier log
     tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
 
-    @property
+    @cached_property
     def dt(self) -> NDArray[np.float64]:
         """Time since the row before, (n,) [s]; the median step for the first row of all."""
         steps = np.diff(self.log.t)
         first = np.median(steps) if self.first_step is None else self.first_step
         return np.concatenate([[first], steps])
+
+    @cached_property
+    def usual_step(self) -> float:
+        """Median time between rows [s]."""
+        return float(np.median(self.dt))
 
     def samples(self) -> NDArray[np.float64]:
         """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
@@ -63,9 +69,11 @@ class Setup:
         if self.tail is not None:
             there, angle = np.concatenate([self.tail[0], there]), np.concatenate([self.tail[1], angle])
         acting = np.interp(t - self.lag, there, angle)
-        after = np.clip(np.searchsorted(there, t - self.lag), 1, there.size - 1)
-        hole = (there[after] - there[after - 1]) > max(BRIDGED, 3 * float(np.median(self.dt)))
-        return np.where(hole, np.nan, acting)
+        wide = np.diff(there) > max(BRIDGED, 3 * self.usual_step)
+        if not wide.any():
+            return acting
+        before = np.clip(np.searchsorted(there, t - self.lag), 1, there.size - 1) - 1
+        return np.where(wide[before], np.nan, acting)
 
     def config(self, **changes: float) -> NDArray[np.float64]:
         """The filter's configuration; ``changes`` replaces design constants by name."""
@@ -129,8 +137,9 @@ class Pass:
     def used(self) -> NDArray[np.bool_]:
         """Rows whose measurement was used, (n,)."""
         codes = self.setup.library.layout.STATUS
-        unused = [codes[name] for name in ("no_measurement", "too_slow", "bad_sample")]
-        return ~np.isin(self.status, unused)
+        counts = np.ones(max(codes.values()) + 1, bool)
+        counts[[codes[name] for name in ("no_measurement", "too_slow", "bad_sample")]] = False
+        return counts[self.status]
 
     def cost(self, rows: NDArray[np.bool_]) -> float:
         """Negative log likelihood of the innovations of ``rows``, (n,) a part of `used` [-]."""

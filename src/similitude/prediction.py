@@ -109,7 +109,7 @@ def _ahead(start: _Start) -> tuple[NDArray[np.float64], NDArray[np.float64], NDA
     config, state, samples = start.config, start.state, start.rows
     blind = samples.copy()
     blind[:, 3] = np.nan
-    per_second = max(2, round(HORIZON / float(np.median(setup.dt))))
+    per_second = max(2, round(HORIZON / setup.usual_step))
     last = len(samples) - per_second
     moments = np.arange(0, last, max(1, per_second // 2, last // MOST))
     codes = library.layout.STATUS

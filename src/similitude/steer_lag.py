@@ -59,7 +59,7 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
     setup = setup.at_rate(RATE)
     passes = side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags])
-    alone = max(1.0, DEPENDENT / float(np.median(setup.dt)))
+    alone = max(1.0, DEPENDENT / setup.usual_step)
     # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
     shared = np.logical_and.reduce([p.used for p in passes])
     cost = np.array([p.cost(shared) for p in passes]) / alone

@@ -6,7 +6,7 @@ import pytest
 
 from similitude.errors import UsageError
 from similitude.report import files
-from similitude.report.files import directories, write_report
+from similitude.report.files import write_report
 
 OURS = {"estimate.parquet", "plot.png", "report.html", "summary.json"}
 
@@ -81,14 +81,3 @@ def test_a_file_in_the_way_is_named(example_run, tmp_path):
     with pytest.raises(UsageError, match="taken"):
         write_report(example_run(200), tmp_path / "taken" / "below")
     assert (tmp_path / "taken").read_text() == ""
-
-
-def test_one_log_goes_straight_into_the_folder_named(tmp_path):
-    assert [str(p) for p in directories(["a/drive.csv"], "out")] == ["out"]
-    assert [p.as_posix() for p in directories(["a/drive.csv"], None)] == ["similitude-out/drive"]
-
-
-def test_each_of_several_logs_has_a_folder_of_its_own():
-    logs = ["a/drive.csv", "b/drive.parquet", "c/Drive.csv", "drive-2.csv", "other.csv"]
-    chosen = [path.as_posix() for path in directories(logs, "out")]
-    assert chosen == ["out/drive", "out/drive-3", "out/Drive-4", "out/drive-2", "out/other"]

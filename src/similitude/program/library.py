@@ -146,8 +146,8 @@ class Library:
         return {struct: len(self.names(struct)) for struct in structs}
 
 
-def _pointer(array: NDArray) -> ctypes.c_void_p:
-    return array.ctypes.data_as(ctypes.c_void_p)
+def _pointer(array: NDArray) -> int:
+    return array.ctypes.data  # an address; the caller's own name keeps the array alive
 
 
 def assemble(layout: ModuleType, source: str) -> Library:
@@ -158,7 +158,8 @@ def assemble(layout: ModuleType, source: str) -> Library:
     except CompileError as error:
         reason = error.what.splitlines()[0]
         return Library(name, layout, None, f"about a hundred times slower: {reason}")
-    getattr(c, f"{name}_init").argtypes = [ctypes.c_void_p] * 2
+    init = getattr(c, f"{name}_init")
+    init.argtypes, init.restype = [ctypes.c_void_p] * 2, None
     batch = getattr(c, f"{name}_batch")
     batch.argtypes = [ctypes.c_void_p] * 2 + [ctypes.c_long] + [ctypes.c_void_p] * 3
     batch.restype = ctypes.c_long

@@ -10,11 +10,12 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
-from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from similitude.errors import UsageError
+from similitude.report.folders import DEFAULT_DIRECTORY
 from similitude.report.html_report import html_report
 from similitude.report.plot import save_plot
 from similitude.report.summary import json_page, summary
@@ -23,7 +24,6 @@ from similitude.report.table import write_estimate
 if TYPE_CHECKING:
     from similitude.run import Run
 
-DEFAULT_DIRECTORY = "similitude-out"
 FILE_NAMES = {  # in the order they are moved
     "estimate": "estimate.parquet",
     "plot": "plot.png",
@@ -70,47 +70,14 @@ def write_report(run: Run, directory: str | os.PathLike[str]) -> dict[str, str]:
     return files
 
 
-def directories(logs: Sequence[str | os.PathLike[str]], out: str | None) -> list[Path]:
-    """Choose the folder of each log, each a different one.
-
-    Parameters
-    ----------
-    logs : sequence of paths
-        In the order given on the command line.
-    out : str or None
-        The folder the user named. One log is written straight into it, several into
-        `out`/stem; without it the folder is `similitude-out`/stem.
-
-    Returns
-    -------
-    list of Path
-        As long as `logs`; two logs of one stem become `stem` and `stem-2` (case is ignored, for
-        file systems that ignore it).
-    """
-    if out is not None and len(logs) == 1:
-        return [Path(out)]
-    base = Path(out if out is not None else DEFAULT_DIRECTORY)
-    stems = [Path(log).stem or "log" for log in logs]
-    reserved = {stem.casefold() for stem in stems}
-    taken: set[str] = set()
-    chosen = []
-    for stem in stems:
-        name, count = stem, 1
-        # `drive-2` is also avoided when a later log is really called that.
-        while name.casefold() in taken or (count > 1 and name.casefold() in reserved):
-            count += 1
-            name = f"{stem}-{count}"
-        taken.add(name.casefold())
-        chosen.append(base / name)
-    return chosen
-
-
 def _build(run: Run, building: Path, files: dict[str, str]) -> None:
-    write_estimate(run, building / FILE_NAMES["estimate"])
-    save_plot(run, building / FILE_NAMES["plot"])
-    record = summary(run, files)
-    for kind, text in (("report", html_report(run, record)), ("summary", json_page(record))):
-        (building / FILE_NAMES[kind]).write_text(text, encoding="utf-8", newline="\n")
+    with ThreadPoolExecutor(1) as beside:  # compressing the table leaves the interpreter to the picture
+        table = beside.submit(write_estimate, run, building / FILE_NAMES["estimate"])
+        save_plot(run, building / FILE_NAMES["plot"])
+        record = summary(run, files)
+        for kind, text in (("report", html_report(run, record)), ("summary", json_page(record))):
+            (building / FILE_NAMES[kind]).write_text(text, encoding="utf-8", newline="\n")
+        table.result()
 
 
 def _move(building: Path, directory: Path) -> None:

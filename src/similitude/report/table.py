@@ -69,7 +69,7 @@ def write_estimate(run: Run, path: str | os.PathLike[str]) -> None:
     OSError
         The file cannot be written.
     """
-    pyarrow.parquet.write_table(estimate_table(run), path, compression="snappy")
+    pyarrow.parquet.write_table(estimate_table(run), path, compression="snappy", use_dictionary=["status"])
 
 
 def _status_names(codes: np.ndarray) -> pyarrow.Array:
@@ -77,5 +77,4 @@ def _status_names(codes: np.ndarray) -> pyarrow.Array:
     names = [f"code_{code}" for code in range(max(STATUS.values()) + 1)]
     for name, code in STATUS.items():
         names[code] = name
-    indices = pyarrow.array(np.asarray(codes, np.int32))
-    return pyarrow.DictionaryArray.from_arrays(indices, pyarrow.array(names)).cast(pyarrow.string())
+    return pyarrow.array(np.array(names, object)[np.asarray(codes)], pyarrow.string())
