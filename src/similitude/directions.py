@@ -80,9 +80,8 @@ class Reduced:
     @property
     def text(self) -> str:
         """The table as plain text."""
-        lines = [
-            f"{'unknown':<10}{'role':<10}{'sd before':>10}{'after':>8}{'moves output':>14}{'bias if frozen':>16}"
-        ]
+        heads = f"{'sd before':>10}{'after':>8}{'moves output':>14}{'bias if frozen':>16}"
+        lines = [f"{'unknown':<10}{'role':<10}{heads}"]
         for one in self.roles:
             mine = one.role == "identify"
             lines.append(

@@ -34,7 +34,7 @@ def test_a_complete_normal_table_gives_its_sample_moments():
 
     assert np.all(np.abs(fit.mean - z.mean(axis=0)) < 0.5 * z.std(axis=0) / np.sqrt(n))
     assert np.sqrt(np.diag(fit.covariance)) == pytest.approx(z.std(axis=0), rel=2 / np.sqrt(2 * n) + 0.03)
-    assert fit.count == pytest.approx(n, rel=1e-3)
+    assert np.all((fit.count > n - 4) & (fit.count <= n))  # a row screened out teaches nothing
     np.testing.assert_allclose(fit.rows, z, atol=1e-3)
 
 

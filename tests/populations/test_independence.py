@@ -16,6 +16,7 @@ def draw(seed, n, *, tie=0.0):
     return one, other, base
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("n", [16, 40])
 def test_a_shared_base_is_no_relation(n):
     p = [probability(*draw(seed, n))[0] for seed in range(100)]

@@ -24,6 +24,7 @@ def test_total_least_squares_is_the_first_principal_axis_and_does_not_care_for_n
     assert intercept == pytest.approx(y.mean() - slope * x.mean())
 
 
+@pytest.mark.slow
 def test_a_proportion_is_called_one_and_its_slope_is_found():
     hits = 0
     for seed in range(40):

@@ -58,6 +58,7 @@ def test_what_no_row_teaches_has_no_moments():
     assert np.isnan(covariance[2]).all() and np.isfinite(covariance[:2, :2]).all()
 
 
+@pytest.mark.slow
 def test_bootstrap_intervals_hold_the_mean_and_shrink_with_rows():
     wide, narrow = (populate(GROUPS, table_of(independent(n, 5))).intervals(25)[0][2] for n in (25, 225))
     assert wide[0] < 5.1 < wide[1] and 1.5 < np.ptp(wide) / np.ptp(narrow) < 6  # 3, and a factor for 25 draws

@@ -16,6 +16,7 @@ def relations_of(values):
     return relate(populate(GROUPS, table_of(values)))
 
 
+@pytest.mark.slow
 def test_a_planted_slope_is_found_with_its_interval_and_alone():
     """All of 8 tables: at a power of 0.9 a miss is likelier than not, and power is above 0.99."""
     for seed in range(8):
@@ -27,6 +28,7 @@ def test_a_planted_slope_is_found_with_its_interval_and_alone():
         assert one.out_of_sample == pytest.approx(0.033, rel=0.4)
 
 
+@pytest.mark.slow
 def test_independent_parameters_keep_to_nothing_but_the_wheelbase():
     """`make populations` runs 200 tables; here six, of which one may err at a rate of 1 %."""
     false = 0
@@ -68,3 +70,9 @@ def test_nearly_empty_tables_have_no_relations():
     half = planted(40, 5)
     half[3:, 4:] = np.nan
     assert relations_of(half).of("pi3", "pi4") is None
+
+
+def test_one_planted_and_one_independent_table():
+    (one,) = relations_of(planted(150, 100)).discoveries
+    assert set(one.groups) == {"pi3", "pi4"} and one.interval[0] <= 1.0977 <= one.interval[1]
+    assert relations_of(independent(150, 100)).discoveries == ()
