@@ -109,9 +109,10 @@ def relation_row(one: Relation) -> list[str]:
 
 def _tried(portrait: Portrait) -> str:
     r = portrait.relations
+    many = "1 relation was" if r.tried == 1 else f"{r.tried} relations were"
     return (
-        f"{r.tried} relations were tried against independent raw parameters given the shared base; of those "
-        f"called found, {100 * r.level:g} % may be chance."
+        f"{many} tried against independent raw parameters given the shared base; of those called found, "
+        f"{100 * r.level:g} % may be chance."
     )
 
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 INK, MUTED, GRID, POINTS, WRONG = "#1d2730", "#5b6b7b", "#e3e8ec", "#2a7f8e", "#c9411c"
+STEEPEST = 20.0  # slope in logarithms beyond which a line says nothing
 ORDERS = 200  # shuffles of the systems behind a running average
 
 
@@ -100,18 +101,27 @@ def pairs_picture(logs: NDArray, names: tuple[str, ...], *, most: int = 6) -> Fi
         if len(x) >= 3 and np.ptp(x) > 0:
             slope, intercept = total_least_squares(x, y)
             ends = np.array([x.min(), x.max()])
-            if abs(slope) < 20:
+            steep = abs(slope) > STEEPEST
+            if not steep:
                 axes.plot(np.exp(ends), np.exp(slope * ends + intercept), color=INK, lw=1.2)
-            axes.set_title(f"slope {slope:.2f}, n = {len(x)}", fontsize=8, color=MUTED, loc="left")
+            said = "no line" if steep else f"slope {slope:.2f}"
+            axes.set_title(f"{said}, n = {len(x)}", fontsize=8, color=MUTED, loc="left")
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.minorticks_off()
+        for axis, ends in ((axes.xaxis, x), (axes.yaxis, y)):
+            ticks = np.exp(np.linspace(ends.min(), ends.max(), 3)) if len(ends) else []
+            axis.set_ticks(ticks, [f"{tick:.2g}" for tick in ticks])
         axes.tick_params(labelsize=7)
         if j == size:
             axes.set_xlabel(pretty_name(names[a]), color=INK)
         if i == 0:
             axes.set_ylabel(pretty_name(names[b]), color=INK)
-    figure.subplots_adjust(left=0.11, right=0.98, top=0.95, bottom=0.09, wspace=0.35, hspace=0.4)
+    width, height = figure.get_size_inches()
+    figure.subplots_adjust(
+        left=0.8 / width, right=1 - 0.15 / width, top=1 - 0.3 / height, bottom=0.55 / height,
+        wspace=0.35, hspace=0.4,
+    )  # fmt: skip
     return figure
 
 
@@ -147,7 +157,7 @@ def _panels(count: int, size: tuple[float, float]):
     figure = Figure(figsize=size, facecolor="white")
     FigureCanvasAgg(figure)
     panels = figure.subplots(1, count, squeeze=False)[0]
-    figure.subplots_adjust(left=0.08, right=0.98, top=0.88, bottom=0.19, wspace=0.12 + 0.1 * (count > 2))
+    figure.subplots_adjust(left=0.08, right=0.98, top=0.88, bottom=0.19, wspace=0.12 if count < 3 else 0.36)
     for axes in panels:
         _quiet(axes)
     return figure, panels
