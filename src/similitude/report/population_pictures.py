@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 
 from similitude.populations.distribution import describe
 from similitude.populations.lines import total_least_squares
-from similitude.report.numerals import pretty_name
+from similitude.report.numerals import plain, pretty_name
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -111,7 +111,7 @@ def pairs_picture(logs: NDArray, names: tuple[str, ...], *, most: int = 6) -> Fi
         axes.minorticks_off()
         for axis, ends in ((axes.xaxis, x), (axes.yaxis, y)):
             ticks = np.exp(np.linspace(ends.min(), ends.max(), 3)) if len(ends) else []
-            axis.set_ticks(ticks, [f"{tick:.2g}" for tick in ticks])
+            axis.set_ticks(ticks, [plain(float(tick), 2) for tick in ticks])
         axes.tick_params(labelsize=7)
         if j == size:
             axes.set_xlabel(pretty_name(names[a]), color=INK)
