@@ -23,12 +23,13 @@ FLOW = (
     "symmetry",
     "linear invariance rewriting",
     "analysis",
-    "matrix_function sampling",
+    "matrix_function sampling sampled_linearity output_sensitivity directions",
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
     "finding readers log_quantities log_names log_columns log_time log_cells log_plausibility",
     "log_following log_sensors log_speed log_response log_fixes",
     "log_survey log",
+    "populations",
     "vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
@@ -43,7 +44,8 @@ FLOW = (
     "simulation",
     "embedded",
     "paper",
-    "cli_complaint cli_usage cli_analyze cli_inspect cli_simulate cli_compare cli_export cli_paper cli",
+    "cli_complaint cli_usage cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
+    "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
 PRIVATE = (

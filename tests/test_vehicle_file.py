@@ -104,7 +104,7 @@ REFUSED = {
     "dimension": ('L = "2.7 kg"', "'kg' has the dimension 'kg', but 'm'", 'L = "'),
     "inertia": (L + 'm = "2 t"\nIz = "3 kg m^2"', "of m L\\^2", "Iz ="),
     "per degree": (L + 'm = "2 t"\nCaf = "1500 N/rad"', "weight", 'Caf = "1500 N/deg"'),
-    "population": (L + 'population = "cars"', "there are 'passenger_cars' and", "population ="),
+    "population": (L + 'population = "cars"', "there are 'passenger_cars', ", "population ="),
     "no wheelbase": ('m = "2010 kg"', "neither 'L' nor both 'a' and 'b'", 'L = "2.69 m"'),
     "empty": ("", "neither 'L'", 'L = "2.69 m"'),
     "name is a number": (L + "name = 3", "name = '3' is not text", 'name = "3"'),

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from similitude.errors import UsageError
+from similitude.populations.shipped import shipped_names, shipped_population
 from similitude.units import Uncertain
 from similitude.vehicle_checks import POPULATIONS as CHECKED
 from similitude.vehicle_file import Vehicle, read_vehicle
-from similitude.vehicle_prior import NAMES, POPULATIONS, SPREADS, vehicle_prior
+from similitude.vehicle_prior import NAMES, vehicle_prior
 
 L, A, M, IZ, CAF, CAR = 2.7, 1.2, 1500.0, 2600.0, 80e3, 100e3
 
@@ -36,7 +37,27 @@ def product(mean, sd, seen, seen_sd):
 
 
 def test_the_populations_are_those_of_the_vehicle_file():
-    assert POPULATIONS.keys() == SPREADS.keys() == CHECKED.keys()
+    assert set(shipped_names()) == CHECKED.keys()
+
+
+def test_mass_and_wheelbase_condition_a_population_that_ties_them_to_the_groups():
+    """In all_vehicles long cars have less inertia for m a b; in passenger_cars nothing is tied."""
+    told = {"m": value(2500.0), "population": "all_vehicles"}
+    short, long = (vehicle_prior(Vehicle("v", L=value(length), **told)) for length in (2.4, 3.4))
+    rho = NAMES.index("rho")
+
+    assert short.mean[rho] > 1.05 * long.mean[rho]
+    assert short.std[rho] == pytest.approx(long.std[rho])
+    assert prior_of(m=value(900.0))[0] == prior_of(m=value(2500.0))[0]
+
+
+@pytest.mark.parametrize("name", sorted(CHECKED))
+def test_every_population_gives_a_proper_prior(name):
+    length = 0.3 if name == "small_cars_1to10" else 2.7
+    prior = vehicle_prior(Vehicle("v", L=value(length), population=name))
+
+    assert prior.names == NAMES and np.all(np.linalg.eigvalsh(prior.covariance) > 0)
+    assert set(prior.origins.values()) <= {f"population {name}", "the vehicle file"}
 
 
 def test_the_wheelbase_alone_leaves_the_population_as_published():
@@ -121,6 +142,6 @@ def test_a_file_narrows_and_never_widens(tmp_path):
         'Caf = "80000 N/rad"\nCar = "100000 N/rad"\n'
     )
     prior = vehicle_prior(read_vehicle(path))
-    assert np.all(prior.std < np.array(SPREADS["passenger_cars"]))
+    assert np.all(prior.std < shipped_population("passenger_cars").prior.of(NAMES).std)
     assert np.all(np.linalg.eigvalsh(prior.covariance) > 0)
     assert all("vehicle file" in origin for origin in prior.origins.values())

@@ -24,6 +24,7 @@ from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_export import export
 from similitude.cli_inspect import inspect
 from similitude.cli_paper import paper
+from similitude.cli_population import population
 from similitude.cli_simulate import simulate
 from similitude.cli_usage import (
     ESTIMATORS,
@@ -136,6 +137,7 @@ def identify(
 
 app.command()(inspect)
 app.command()(analyze)
+app.command()(population)
 app.command()(simulate)
 app.command()(compare)
 app.command()(export)

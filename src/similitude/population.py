@@ -80,6 +80,17 @@ class Prior:
         covariance[i, i] = std**2
         return replace(self, mean=mean, covariance=covariance, origins={**self.origins, name: origin})
 
+    def of(self, names: tuple[str, ...]) -> Prior:
+        """The same of these unknowns alone, whatever the others are."""
+        places = [self.names.index(name) for name in names]
+        return Prior(
+            tuple(names),
+            tuple(self.kinds[i] for i in places),
+            self.mean[places],
+            self.covariance[np.ix_(places, places)],
+            {name: self.origins[name] for name in names if name in self.origins},
+        )
+
     def beside(self, name: str, kind: str, mean: float, std: float, origin: str) -> Prior:
         """The same with one more unknown, independent of the others.
 

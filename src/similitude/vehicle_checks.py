@@ -30,9 +30,13 @@ class Fault:
 
 
 # population -> (wheelbase [m], mass [kg]), each (least, most) with room to spare
+_FULL_SIZE = ((1.0, 12.0), (200.0, 60e3))
 POPULATIONS = {
-    "passenger_cars": ((1.0, 12.0), (200.0, 60e3)),
+    "passenger_cars": _FULL_SIZE,
+    "light_trucks": _FULL_SIZE,
+    "all_vehicles": _FULL_SIZE,
     "small_cars_1to10": ((0.08, 0.999), (0.1, 100.0)),
+    "brennan_2004": _FULL_SIZE,
 }
 
 # Three lengths of a 2.5 m car, each rounded to the centimetre, miss their sum by 1.5 cm.

@@ -44,7 +44,8 @@ L = "2.69 m"                        # wheelbase
 # Car = "110000 N/rad"              # cornering stiffness, both rear tyres together
 # steering_ratio = 15.3             # steering wheel angle over road wheel angle
 # steer_lag = "20 ms"               # from the logged steer to the road wheels
-population = "passenger_cars"       # or "small_cars_1to10": what similar cars are like
+population = "passenger_cars"       # what similar cars are like; or "light_trucks", "all_vehicles",
+                                    # "small_cars_1to10", "brennan_2004"
 
 # [sensor]
 # yaw_rate_noise = "0.15 deg/s"     # standard deviation of the gyro's noise
@@ -65,7 +66,7 @@ class Vehicle:
     steering_ratio : Uncertain or None  steering wheel angle over road wheel angle [-]
     steer_lag : Uncertain or None       from logged steer to road wheels [s]
     yaw_rate_noise : Uncertain or None  standard deviation of the yaw rate's noise [rad/s]
-    population : str                    "passenger_cars" or "small_cars_1to10"
+    population : str                    one of `similitude.populations.shipped.shipped_names`
     origins : dict of str to str        where each value that is not None comes from
     """
 
@@ -141,7 +142,7 @@ def _check_words(path: Path, name: object, population: object, text: str) -> Non
         near = difflib.get_close_matches(str(population), POPULATIONS, n=1, cutoff=0.0)
         raise VehicleError(
             f"{path.name}{line_of('population', text)}: population {shown(population)} is not "
-            f"known; there are {' and '.join(map(repr, POPULATIONS))}",
+            f"known; there are {', '.join(map(repr, POPULATIONS))}",
             usually="it is a matter of spelling.",
             paste=f'population = "{near[0]}"',
             read=READ,

@@ -2,10 +2,9 @@
 
     K = Caf L/m [m^2/s^2]    pi1 = a/L    eta = Car b/(Caf a)    rho = Iz/(m a b)
 
-Sources of the populations: K and pi1 of passenger cars are the averages of Brennan & Alleyne
-(2004, eq 18); eta from five full-size cars with published axle stiffness and the paper's averages;
-rho from 204 vehicles of the NHTSA inertial database. Small cars: K of the paper's test vehicle per
-g L, the rest wide enough to hold it.
+Means and covariance come from `similitude.populations.shipped`; what is known of the vehicle conditions
+them: its mass and wheelbase where the population ties them to the unknowns, a as the centre of gravity,
+Iz and the axle stiffnesses as one more measurement each.
 """
 
 from __future__ import annotations
@@ -16,24 +15,14 @@ import numpy as np
 
 from similitude.errors import UsageError
 from similitude.population import Prior
+from similitude.populations.shipped import shipped_population
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
 NAMES = ("K", "pi1", "eta", "rho")
-KINDS = ("log", "linear", "log", "log")
-GRAVITY = 9.80665  # m/s^2
-
-# population: mean K [m^2/s^2], or K/(g L) [-] where K_per_gL; sds are those of the coordinates
-POPULATIONS = {
-    "passenger_cars": {"K": 145.68, "pi1": 0.4431, "eta": 1.42, "rho": 1.017},
-    "small_cars_1to10": {"K_per_gL": 1.22, "pi1": 0.45, "eta": 1.6, "rho": 0.95},
-}
-SPREADS = {
-    "passenger_cars": (0.5, 0.03, 0.13, 0.09),
-    "small_cars_1to10": (0.7, 0.04, 0.30, 0.15),
-}
 FILE_SD = 0.10  # of the logarithm of a stiffness ratio or an inertia whose sd was not stated
 FILE_SD_PI1 = 0.02  # of a/L
+ROUNDING = 1e-4  # of a mass or a wheelbase whose sd was not stated
 ROAD_SD = 0.35  # of ln K: road, tyre and load against the day the stiffness was measured
 
 
@@ -97,16 +86,10 @@ def _stated(given: Uncertain, otherwise: float) -> float:
 
 
 def _population(vehicle: Vehicle) -> Prior:
-    mean = dict(POPULATIONS[vehicle.population])
-    per_length = mean.pop("K_per_gL", None)
-    if per_length is not None:
-        mean["K"] = per_length * GRAVITY * vehicle.L.value
-    spread = np.array(SPREADS[vehicle.population])
-    origin = f"population {vehicle.population}"
-    return Prior(
-        NAMES,
-        KINDS,
-        np.array([mean[n] for n in NAMES]),
-        np.diag(spread**2),
-        dict.fromkeys(NAMES, origin),
-    )
+    """The population's prior of the unknowns for a vehicle of this mass and wheelbase."""
+    prior = shipped_population(vehicle.population).of_length(vehicle.L.value)
+    for name, given in (("m", vehicle.m), ("L", vehicle.L)):
+        i = prior.names.index(name)
+        if given is not None and np.any(np.delete(prior.covariance[i], i)):
+            prior = prior.observe(name, given.value, max(_stated(given, 0.0), ROUNDING), "the vehicle file")
+    return prior.of(NAMES)

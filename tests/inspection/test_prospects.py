@@ -5,12 +5,14 @@ import pytest
 
 from similitude.identification import identify
 from similitude.inspection.prospects import Prospect, _drive, prospects
+from similitude.populations.shipped import shipped_population
 from similitude.simulate import bicycle_response
-from similitude.vehicle_prior import POPULATIONS
+from similitude.vehicle_prior import NAMES
 
 from ..simulated_drive import CAR, drive, vehicle
 
-MEAN = POPULATIONS["passenger_cars"]
+PRIOR = shipped_population("passenger_cars").prior.of(NAMES)
+MEAN = dict(zip(NAMES, PRIOR.mean, strict=True))
 
 
 @pytest.fixture(scope="module")

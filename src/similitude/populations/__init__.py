@@ -1,0 +1,1 @@
+"""Populations of similar systems: tables, their distribution in log groups, relations and priors."""
