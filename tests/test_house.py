@@ -44,7 +44,8 @@ FLOW = (
     "simulation",
     "embedded",
     "paper",
-    "cli_complaint cli_usage cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
+    "cli_complaint cli_usage",
+    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
     "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

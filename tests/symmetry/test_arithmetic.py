@@ -76,7 +76,7 @@ def test_slopes_of_a_series_are_the_series_of_the_slopes():
         (sp.log(x), Digits(), mpmath.mpf(-1)),
         (sp.exp(x), Floats(), 1e9),
     ],
-    ids=str,
+    ids=("pole", "pole modulo", "root", "logarithm", "overflow"),
 )
 def test_a_singular_point_is_said_to_be_one(e, field, at):
     with pytest.raises(BadPoint):
