@@ -47,7 +47,7 @@ def test_files_go_where_out_says(capsys, tmp_path):
         (["bycicle"], 2, "similitude analyze bicycle"),
         (["missing.py"], 2, "no file"),
         (["bicycle", "--base", "m,,U"], 2, "no list of different names"),
-        (["bicycle", "--base", "m,L"], 3, "cannot measure"),
+        (["bicycle", "--base", "m,L"], 3, "cannot be a base"),
         (["bicycle", "--base", "m,L,Q"], 3, "'Q'"),
     ],
 )

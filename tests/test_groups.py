@@ -85,9 +85,9 @@ def test_a_rate_whose_terms_differ_in_units_is_refused(rate):
 @pytest.mark.parametrize(
     ("base", "said"),
     [
-        (("m1", "m2", "tau"), "cannot measure 'x'"),  # no length, masses dependent
-        (("m1", "reach"), "cannot measure"),  # no time
-        (("m1", "reach", "tau", "k"), "cannot measure"),  # one too many
+        (("m1", "m2", "tau"), "does not reach x"),  # no length, masses dependent
+        (("m1", "reach"), "cannot be a base"),  # no time
+        (("m1", "reach", "tau", "k"), "cannot be a base"),  # one too many
         (("m1", "reach", "speed"), "no quantity 'speed'"),
     ],
 )

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 import sympy as sp
 
+from similitude.dimensional.base_advice import advise_base
 from similitude.dimensional.exact_span import span_of
 from similitude.errors import ModelError
 from similitude.model import Model, Quantity
@@ -174,9 +175,16 @@ def _solve(
     solution = None if span is None else span.exponents(wanted.powers)
     if solution is None:
         raise ModelError(
-            f"model {model.name!r}: the base {', '.join(base)} cannot measure {name!r} [{wanted}]",
-            usually="The repeating variables are dependent, or do not reach one of the dimensions.",
-            paste="print(similitude.advise_base(model))   # the bases that can",
-            read="docs/architecture.md, 'Groups'",
+            f"model {model.name!r}: {', '.join(base)} cannot be a base: {_why_not(model, base)}",
+            usually="one mass, one length and one time among the parameters is the usual choice.",
+            paste="similitude.advise_base(model)   # lists the bases that can",
+            read='docs/groups.md, "A base that cannot be one"',
         )
     return dict(zip(base, solution, strict=True))
+
+
+def _why_not(model: Model, base: Sequence[str]) -> str:
+    wrong = [name for name in base if name not in {q.name for q in model.parameters}]
+    if wrong:
+        return f"{', '.join(wrong)} is no parameter"
+    return advise_base(model).check(list(base)).reason

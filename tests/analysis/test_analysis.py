@@ -99,7 +99,7 @@ def test_a_base_is_advised_where_none_is_given():
 
 
 def test_a_base_that_cannot_measure_is_refused():
-    with pytest.raises(ModelError, match="cannot measure"):
+    with pytest.raises(ModelError, match="cannot be a base"):
         analyze_model(BICYCLE, base=["m", "L"])
 
 

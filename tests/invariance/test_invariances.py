@@ -1,5 +1,8 @@
 """The noun and its verbs: what is printed, what is refused, Euler's theorem, nothing left after rewriting."""
 
+from dataclasses import replace
+from fractions import Fraction
+
 import pytest
 import sympy as sp
 
@@ -75,3 +78,26 @@ def test_angles_are_a_row_where_the_model_keeps_them_apart():
     rows = euler_rows("M/c", [Quantity("M", "N m"), Quantity("c", "N m/rad")], angle=True)
 
     assert str(rows.rows[-1]) == "angle: -S_c = 1" and rows.verify()["angle"] == 0
+
+
+@pytest.mark.parametrize("response", ["time", "frequency", "dc_gain", "steady_state"])
+def test_a_falsified_row_is_not_proven(response):
+    found = invariances(BICYCLE, "r", response)
+    first, *rest = found.rows
+    name = next(iter(first.coefficients))
+    wrong = {**first.coefficients, name: first.coefficients[name] + Fraction(1, 2)}
+    for bad in (replace(first, coefficients=wrong), replace(first, rhs=first.rhs + 1)):
+        residual = replace(found, rows=(bad, *rest)).verify()
+        assert residual[first.dimension] != 0
+        assert all(residual[row.dimension] == 0 for row in rest)
+
+
+def test_a_row_with_an_argument_left_out_is_not_proven():
+    """The paper's eq 13 leaves out time."""
+    found = invariances(BICYCLE, "r", "time")
+    rows = tuple(
+        replace(r, coefficients={n: c for n, c in r.coefficients.items() if n != "t"}) for r in found.rows
+    )
+    residual = replace(found, rows=rows).verify()
+    assert residual["time"] == -sp.Symbol("S_t")
+    assert residual["mass"] == residual["length"] == 0

@@ -213,3 +213,23 @@ def test_a_system_prints_as_its_scalings_and_what_is_left():
         "d(N) = N*(1 - N)",
     ):
         assert line in text
+
+
+@pytest.mark.parametrize("power", ["0.857143", "0.85714", "1.852", "70000", "3.141593", "0.000123"])
+def test_a_fitted_exponent_is_taken_as_it_is(power):
+    """x scales by s, a by s to (1 - power)."""
+    found = scaling_symmetries({"x": f"a*x^{power} - b*x"}, ["a", "b"])
+    (invariant,) = [one for one in found.invariants if "x" in one]
+    n = Fraction(power)
+
+    assert found.count == 2
+    # b x / (a x^n) has no scaling
+    assert invariant["x"] / invariant["b"] == (1 - n)
+    assert invariant["a"] == -invariant["b"]
+    check = found.verify()
+    assert bool(check)
+
+
+def test_an_exponent_of_too_many_digits_is_refused():
+    with pytest.raises(ModelError, match="seven digits"):
+        scaling_symmetries({"x": "k*x^3.14159265 - x"}, ["k"])

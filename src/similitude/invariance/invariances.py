@@ -77,7 +77,7 @@ class Invariances:
         ModelError, UnitError    a value is missing, unknown or cannot be read.
         """
         if values is None:
-            return {row.dimension: self._proof(row.dimension) for row in self.rows}
+            return {row.dimension: self._proof(row) for row in self.rows}
         y, slopes = self._evaluated(values)
         size = np.abs(y).max() if np.size(y) else 1.0
         residual = {}
@@ -86,12 +86,17 @@ class Invariances:
             residual[row.dimension] = float(np.abs(left).max() / size) if np.size(y) and size else 0.0
         return residual
 
-    def _proof(self, dimension: str) -> sp.Expr:
-        for certificate in self.response.certificates:
-            left = certificate.residual(self.response.symbols, dimension)
-            if left != 0:
-                return left
-        return sp.Integer(0)
+    def _proof(self, row: Row) -> sp.Expr:
+        """What is left of a row in symbols: of its own numbers against those proven, and of the proofs."""
+        r, dimension = self.response, row.dimension
+        proven = {n: m.exponents.get(dimension, 0) for n, m in r.arguments.items()}
+        names = sorted(proven.keys() | row.coefficients.keys())
+        apart = {n: row.coefficients.get(n, 0) - proven.get(n, 0) for n in names}
+        left = sum((sp.Rational(str(x)) * sp.Symbol(f"S_{n}") for n, x in apart.items()), sp.Integer(0))
+        left -= sp.Rational(str(row.rhs - r.output.exponents.get(dimension, 0)))
+        for certificate in r.certificates:
+            left = left or certificate.residual(r.symbols, dimension)
+        return left
 
     def sensitivities(self, values: Mapping[str, object] | None = None) -> dict[str, object]:
         """Bode sensitivities ``(x/y) dy/dx`` to every argument.

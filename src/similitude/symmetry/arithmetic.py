@@ -23,6 +23,7 @@ import sympy as sp
 from similitude.symmetry.tape import Tape
 
 PRIME = 2**31 - 1  # a product of two residues fits in 64 bits
+PRIMES = (PRIME, 2**31 - 19)  # together they tell fractions of seven digits
 DIGITS = 60  # of the numbers in Digits
 
 
@@ -31,28 +32,31 @@ class BadPoint(ArithmeticError):
 
 
 class Modular:
-    """Residues modulo PRIME, int64."""
+    """Residues modulo a prime below 2^31, int64."""
 
     dtype = np.int64
 
+    def __init__(self, prime: int = PRIME) -> None:
+        self.prime = prime
+
     def number(self, value: sp.Expr) -> int:
         """The residue of a rational number."""
-        return int(value.p) * pow(int(value.q), -1, PRIME) % PRIME
+        return int(value.p) * pow(int(value.q), -1, self.prime) % self.prime
 
     def wrap(self, values: np.ndarray) -> np.ndarray:
         """Residues of what a sum or product made."""
-        return values % PRIME
+        return values % self.prime
 
     def inverse(self, values: np.ndarray) -> np.ndarray:
         """1/values."""
         if not np.all(values):
             raise BadPoint("a denominator is zero")
-        flat = [pow(int(x), -1, PRIME) for x in np.ravel(values)]
+        flat = [pow(int(x), -1, self.prime) for x in np.ravel(values)]
         return np.array(flat, dtype=np.int64).reshape(np.shape(values))
 
     def draw(self, rng: np.random.Generator, shape) -> np.ndarray:
         """Random residues, none of them zero."""
-        return rng.integers(1, PRIME, size=shape, dtype=np.int64)
+        return rng.integers(1, self.prime, size=shape, dtype=np.int64)
 
 
 class Floats:
@@ -172,8 +176,9 @@ class Series:
 
     def _product(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         wrap = self.field.wrap
-        product = wrap(wrap(x[..., :1] * y) + wrap(y[..., :1] * x))
-        product[..., 0] = wrap(x[..., 0] * y[..., 0])
+        with np.errstate(over="ignore", invalid="ignore"):  # a high power of a double may well overflow
+            product = wrap(wrap(x[..., :1] * y) + wrap(y[..., :1] * x))
+            product[..., 0] = wrap(x[..., 0] * y[..., 0])
         return product
 
     def _convolved(self, x, y, indices: range, k: int) -> np.ndarray:

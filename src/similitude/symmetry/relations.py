@@ -31,14 +31,15 @@ import numpy as np
 import sympy as sp
 
 from similitude.errors import ModelError
-from similitude.symmetry.arithmetic import BadPoint, Modular, run
+from similitude.symmetry.arithmetic import PRIMES, BadPoint, Modular, run
 from similitude.symmetry.lattice import integers
-from similitude.symmetry.residues import eliminate, fraction_of
-from similitude.symmetry.tape import record
+from similitude.symmetry.residues import eliminate, fraction_of, joined
+from similitude.symmetry.tape import Tape, record
 
 SPARE = 3  # points more than a function has variables
 TRIES = 20  # of points, before a function is called singular everywhere
 UNIT = sp.Integer(1)
+LARGEST = 10**7  # numerator and denominator of an entry: a random residue is one four times in 100 000
 
 
 @dataclass
@@ -193,28 +194,42 @@ def _asked(
     logarithms: set[sp.Symbol],
 ) -> list[list[int]]:
     """The reduced rows of (1) for one function, over the symbols that scale."""
-    tape, modular = record([function]), Modular()
-    points = len(scaled) + SPARE
+    tape = record([function])
     for attempt in range(TRIES):
         rng = np.random.default_rng([seed, attempt])
-        values = {}
-        for symbol in symbols:
-            value = np.zeros((points, 1 + len(scaled)), dtype=np.int64)
-            value[:, 0] = modular.draw(rng, points)
-            if symbol in scaled:  # the slope along ln z is z, and of ln z itself it is one
-                value[:, 1 + scaled.index(symbol)] = 1 if symbol in logarithms else value[:, 0]
-            values[symbol.name] = value
         try:
-            gradient = run(tape, modular, values)[0][:, 1:]
+            found = [_gradient(tape, scaled, symbols, Modular(prime), rng, logarithms) for prime in PRIMES]
         except BadPoint:
             continue
-        return [integers(row) for row in rational_rows(gradient)]
+        rows = rational_rows(*found)
+        if rows is not None:
+            return [integers(row) for row in rows]
     raise ModelError(
-        f"{sp.sstr(function)[:120]} is singular wherever it was tried",
-        usually="A denominator is zero whatever the quantities are.",
-        paste="rates={'x': '-k*x/(c + x)'}",
+        f"{sp.sstr(function)[:120]} is singular wherever it was tried, or an exponent has over seven digits",
+        usually="A denominator is zero whatever the quantities are, or a fitted exponent was not rounded.",
+        paste="rates={'x': '-k*x^0.857/(c + x)'}",
         read='docs/symmetries.md, "Rates as text"',
     )
+
+
+def _gradient(
+    tape: Tape,
+    scaled: list[sp.Symbol],
+    symbols: list[sp.Symbol],
+    modular: Modular,
+    rng: np.random.Generator,
+    logarithms: set[sp.Symbol],
+) -> np.ndarray:
+    """Slopes of the function at random points, along each symbol that scales."""
+    points = len(scaled) + SPARE
+    values = {}
+    for symbol in symbols:
+        value = np.zeros((points, 1 + len(scaled)), dtype=np.int64)
+        value[:, 0] = modular.draw(rng, points)
+        if symbol in scaled:  # the slope along ln z is z, and of ln z itself it is one
+            value[:, 1 + scaled.index(symbol)] = 1 if symbol in logarithms else value[:, 0]
+        values[symbol.name] = value
+    return run(tape, modular, values)[0][:, 1:]
 
 
 def _split(row: dict[sp.Symbol, int], relations: Relations, place: dict) -> list[list[int]]:
@@ -229,7 +244,19 @@ def _split(row: dict[sp.Symbol, int], relations: Relations, place: dict) -> list
     return [part for part in kinds.values() if any(part)]
 
 
-def rational_rows(matrix: np.ndarray) -> list[list[Fraction]]:
-    """The row space of residues (m, n) as reduced rows of fractions."""
-    reduced = eliminate(matrix)[0]
-    return [[fraction_of(int(x)) for x in row] for row in reduced]
+def rational_rows(*matrices: np.ndarray) -> list[list[Fraction]] | None:
+    """The row space of residues (m, n) modulo each of PRIMES as reduced rows of fractions.
+
+    None where the two do not agree on the pivots, or an entry is no fraction of seven digits: of two primes'
+    product any residue is some fraction of nine.
+    """
+    (first, pivots), (second, others) = (eliminate(m, p) for m, p in zip(matrices, PRIMES, strict=True))
+    if pivots != others:
+        return None
+    modulus = PRIMES[0] * PRIMES[1]
+    rows = [
+        [fraction_of(joined(x, y, PRIMES), modulus) for x, y in zip(one, other, strict=True)]
+        for one, other in zip(first, second, strict=True)
+    ]
+    small = all(max(abs(x.numerator), x.denominator) <= LARGEST for row in rows for x in row)
+    return rows if small else None
