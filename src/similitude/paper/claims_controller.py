@@ -77,7 +77,7 @@ def _gain() -> Claim:
 
 def _design_speed() -> Claim:
     car, driver = car_and_driver()
-    worst = [min(least_damping(lqr_gain(car, driver, U=U), speed) for speed in SPEEDS) for U in (3.0, 4.0)]
+    worst = [min(least_damping(lqr_gain(car, driver, U=U), speed) for speed in SPEEDS) for U in (4.0, 3.0)]
     return claim(
         "sec6-design-speed",
         "section 6",
@@ -85,10 +85,10 @@ def _design_speed() -> Claim:
         "from 0 to 4 m/s",
         printed="poor, good",
         ours=worst,
-        holds=worst[0] >= POOR > worst[1],
+        holds=worst[1] >= POOR > worst[0],
         tolerance=POOR,
         digits=3,
-        why="Least damping ratio over 0.5 to 4 m/s of the 3 m/s and of the 4 m/s design, servo included: "
+        why="Least damping ratio over 0.5 to 4 m/s of the 4 m/s and of the 3 m/s design, servo included: "
         "the linear "
         "model sees hardly a difference. Whatever was poor on the belt lies outside the printed model.",
     )

@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 DRY, WET, PLANING, RETURN = (5.0, 60.0), (62.0, 70.0), (72.0, 83.0), (85.0, 90.0)  # s
 SEEDS = (1, 2, 3)
 PLANING_SHORT = (15.0, 28.0)  # s, in the scenario wet_lane
+CLEAR = 0.1  # of π3: less of a fall is none
 CHANGES = (60.6, 70.0, 72.0, 83.0, 85.6)  # s
 
 
@@ -82,6 +83,12 @@ def excursions(drive: Drive, first: float, last: float) -> dict[str, float]:
     }
 
 
+def coverage(K: Array, sd: Array) -> float:
+    """Share of the dry 20 to 60 s in which the 95 % interval holds the truth [-]."""
+    calm = belt().during(20.0, 60.0)
+    return float(np.mean((np.abs(np.log(K / belt().K)) < 1.96 * sd)[calm]))
+
+
 def _mean(reads: Array, window: tuple[float, float]) -> float:
     return float(np.mean(reads[belt().during(*window)]))
 
@@ -96,11 +103,9 @@ def _dry() -> Claim:
         ours=ours,
         tolerance=0.08,
         digits=2,
-        why=f"Reproduced, with a perfect sensor, for the printed parameters: their π3 is {true:.3f}, so "
-        f"the estimate is "
-        "too high, not 20 % too low as the paper has it. The uneven belt moves the car as the steer does, "
-        "and the "
-        "regression takes it for stiffness.",
+        why=f"Within a fifth of the print, with a perfect sensor and the grip assumed here. The π3 of the "
+        f"printed parameters is {true:.3f}, so the estimate is too high, not 20 % too low as the paper "
+        "has it. Which part of the drive raises it (15 cm steps, tyres near their grip) is not told apart.",
     )
 
 
@@ -179,13 +184,14 @@ def _with_gyro() -> Claim:
 def _today() -> Claim:
     K, sd = belt_filter()
     pi3 = K / belt().U ** 2
-    calm = belt().during(20.0, 60.0)
-    covered = float(np.mean((np.abs(np.log(K / belt().K)) < 1.96 * sd)[calm]))
+    covered = coverage(K, sd)
     ours = [_mean(pi3, window) for window in ((40.0, 60.0), (66.0, 70.0), (74.0, 82.0), (95.0, 110.0))]
     true = [
         float(np.median(belt().pi3[belt().during(*w)])) for w in ((40, 60), (66, 70), (74, 82), (95, 110))
     ]
-    falls = ours[0] > ours[1] > ours[2] < ours[3]
+    falls = all(
+        low < (1 - CLEAR) * high for high, low in ((ours[0], ours[1]), (ours[1], ours[2]), (ours[3], ours[2]))
+    )
     return claim(
         "today-figure-7",
         "not in the paper",
@@ -194,7 +200,7 @@ def _today() -> Claim:
         printed=[float(f"{x:.3g}") for x in true],
         ours=ours,
         holds=falls,
-        tolerance="falls, falls, rises",
+        tolerance="falls, falls, rises, by a tenth or more",
         digits=2,
         unit="π3",
         why="Means of π3 at 40–60, 66–70, 74–82 and 95–110 s, beside the true medians (printed). Beyond "
