@@ -15,6 +15,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.accelerometer import Accelerometer
 from similitude.coarse_log import coarse_log
 from similitude.filter_config import filter_config
 from similitude.log import Log
@@ -23,6 +24,7 @@ from similitude.program.library import Library, shipped
 from similitude.slow_bus import bridged
 
 POPULATION = "saturating_bicycle_population"
+WITH_ACCELEROMETER = "bicycle_with_accelerometer_population"
 LINEAR = "bicycle_population"  # the same with linear tyres: the whole-log fit's, and the average car's
 BRIDGED = 0.1  # s: hands on a wheel do little in between
 WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
@@ -40,6 +42,7 @@ class Setup:
     noise_std: float  # rad/s
     input_scale_sd: float  # -
     lag: float = 0.0  # s
+    accelerometer: Accelerometer | None = None
     first_step: float | None = None  # s from the last row of an earlier log
     tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
 
@@ -56,8 +59,11 @@ class Setup:
         return float(np.median(self.dt))
 
     def samples(self) -> NDArray[np.float64]:
-        """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
-        return np.column_stack([self.dt, self._acting_steer(), self.log.U, self.log.r])
+        """Rows for the step: dt, steer as it acts, speed, yaw rate; then ay for the filter that takes it."""
+        columns = [self.dt, self._acting_steer(), self.log.U, self.log.r]
+        if len(self.library.layout.SAMPLE) > len(columns):
+            columns.append(self.log.ay)
+        return np.column_stack(columns)
 
     def _acting_steer(self) -> NDArray[np.float64]:
         """Steer of a lag ago, (n,) [rad]; a short hole is bridged, a long one stays missing."""
@@ -83,6 +89,7 @@ class Setup:
             L=self.L,
             noise_std=self.noise_std,
             input_scale_sd=self.input_scale_sd,
+            accelerometer=self.accelerometer,
             **changes,
         )
 
@@ -98,6 +105,10 @@ class Setup:
         log = coarse_log(bridged(self.log), rate)
         measured = max(int(np.isfinite(self.log.r).sum()), 1)
         return replace(self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / measured)))
+
+    def with_accelerometer(self, accelerometer: Accelerometer) -> Setup:
+        """The same with the filter that takes lateral acceleration."""
+        return replace(self, accelerometer=accelerometer, library=shipped(WITH_ACCELEROMETER))
 
     def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
         """The same with another steer lag [s] and steer scale sd [-]."""

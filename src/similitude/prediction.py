@@ -61,9 +61,9 @@ def predict_ahead(
     """
     rows = setup.samples()
     averages = replace(setup, library=shipped(LINEAR))
-    starts = {"frozen_averages": _started(averages, rows, **FROZEN)}
+    starts = {"frozen_averages": _started(averages, averages.samples(), **FROZEN)}
     if K is not None:
-        starts["estimate"] = replace(_started(averages, rows, **FROZEN), K=K)
+        starts["estimate"] = replace(_started(averages, averages.samples(), **FROZEN), K=K)
     elif recursive:
         starts["estimate"] = _started(setup, rows)
     if batch is not None:
