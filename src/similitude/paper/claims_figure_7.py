@@ -16,7 +16,6 @@ from similitude.paper.bound import bound
 from similitude.paper.claim import Claim, claim, number_claim
 from similitude.paper.drives import (
     Drive,
-    RunningFilter,
     belt,
     belt_scheduled,
     drive_of,
@@ -240,8 +239,7 @@ def wet_lane_runs() -> list[tuple[dict[str, float], dict[str, float]]]:
         pair = []
         for schedule in ("none", "estimate"):
             scenario = read_scenario("wet_lane", changes={"driver.schedule": schedule})
-            heard = RunningFilter(scenario) if schedule == "estimate" else None
-            pair.append(excursions(drive_of(scenario, heard, seed), *PLANING_SHORT))
+            pair.append(excursions(drive_of(scenario, seed), *PLANING_SHORT))
         runs.append((pair[0], pair[1]))
     return runs
 

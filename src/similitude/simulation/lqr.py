@@ -50,14 +50,17 @@ class Path:
 class Lqr:
     """A driver who steers by the state of the car; `schedule` says whose stiffness he believes.
 
-    Parameters are those of the table: with ``schedule = "none"`` one gain, with "truth" that of the
-    stiffness as it is, with "estimate" that of a function given to `run_scenario`.
+    Parameters are those of the table: with ``schedule = "none"`` one gain, that of `design_stiffness`;
+    with "truth" that of the stiffness under the front axle, with "estimate" that of the population
+    filter which runs beside the drive, or of a function given to `run_scenario`.
     """
 
     weights: tuple = key("[0.03, 5, 0.02, 0.1, 0.001]", "numbers", "weights of the five states",
                          each=NUMBER)  # fmt: skip
     effort: float = key("1.0", NUMBER, "weight of the steer", least=1e-9)
     design_speed: float = key('"3 m/s"', SPEED, "speed the gain is designed for", least=0.1)
+    design_stiffness: float = key("0.5", NUMBER, "factor on the stiffness that one gain is designed for",
+                                  default=1.0, least=0.01, most=10)  # fmt: skip
     limit: float = key('"30 deg"', ANGLE, "largest command", least=1e-3, most=1.5)
     path: Path = table(Path, "where to drive", default=Path())
     feedback: str = choice("truth", "sensors", words="yaw rate he feels", default="truth")
@@ -151,7 +154,7 @@ class Follower:
         self._wanted = driver.path.at(t).tolist()
         self._step = float(t[1] - t[0])
         self._integral: Any = 0.0
-        self._k = lqr_gain(car, driver).tolist()
+        self._k = lqr_gain(car, driver, stiffness=driver.design_stiffness).tolist()
         self._gains = None
         if driver.schedule != "none":
             self._gains = np.array([lqr_gain(car, driver, stiffness=x) for x in SCHEDULED]).T
