@@ -207,9 +207,8 @@ def _equations(done: Reproduction) -> Html:
         for equation, residual in done.residuals
     ]
     note = (
-        "Checked by running the code that is named; of equations 2, 20 and 23 it is the formulas that are "
-        "compared, not that code. Where the print cannot hold (see the errata) it is the corrected form that "
-        "is implemented and checked."
+        "Each is checked by running the code that is named. Where the print cannot hold (see the errata) it "
+        "is the corrected form that is implemented and checked."
     )
     listed = details("Equations 1 to 32", table(["", "says", "implemented by", "holds"], rows))
     return section("Every equation as code", paragraph(note), listed)
