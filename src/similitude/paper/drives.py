@@ -29,6 +29,8 @@ GYRO = "0.1 deg/s"
 NOISE = float(np.deg2rad(0.1))  # rad/s, of that gyro
 QUIET = 1e-4  # rad/s: what the regression is told of a sensor without noise; bounds its reported sd only
 SEED = 0
+SOFT = "0.5"  # of the stiffness: what the paper measured off-line on the wet half
+SOFTEST = "0.06"  # of the stiffness: what the scenario leaves of it while hydroplaning
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,6 +114,24 @@ def belt() -> Drive:
 def belt_scheduled() -> Drive:
     """Figure 7 once more, the gain following the estimate of the filter that runs beside."""
     return drive_of(read_scenario("treadmill_hydroplaning", changes={"driver.schedule": "estimate"}))
+
+
+@kept
+def belt_soft() -> Drive:
+    """Figure 7 with one gain again, but that of half the stiffness."""
+    return drive_of(read_scenario("treadmill_hydroplaning", changes={"driver.design_stiffness": SOFT}))
+
+
+@kept
+def belt_softest() -> Drive:
+    """Figure 7 with one gain, that of the stiffness which is left while hydroplaning."""
+    return drive_of(read_scenario("treadmill_hydroplaning", changes={"driver.design_stiffness": SOFTEST}))
+
+
+@kept
+def belt_told() -> Drive:
+    """Figure 7 with a gain that follows the true stiffness under the front axle."""
+    return drive_of(read_scenario("treadmill_hydroplaning", changes={"driver.schedule": "truth"}))
 
 
 @lru_cache
