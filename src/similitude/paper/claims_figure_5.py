@@ -89,11 +89,17 @@ def tracking(K: Array, sd: Array) -> dict[str, float]:
 
 
 @lru_cache
-def paper_tracking(perfect: bool = True) -> dict[str, float]:
+def paper_tracking(perfect: bool = True, forgetting: float = printed.FORGETTING) -> dict[str, float]:
     """`tracking` of the paper's regression, with a perfect sensor or with the gyro; it states no interval."""
     drive = square()
-    reads = paper_reads() if perfect else regression_reads(drive, drive.r_gyro)
+    reads = paper_reads(forgetting) if perfect else regression_reads(drive, drive.r_gyro)
     return tracking(np.maximum(reads, 1e-6) * drive.U**2, np.ones(drive.t.size))
+
+
+@lru_cache
+def perfect_tracking() -> dict[str, float]:
+    """`tracking` of the population filter, told of the gyro, where the sensor is perfect."""
+    return tracking(*population_reads(square(), square().r))
 
 
 def _bias() -> Claim:
@@ -135,8 +141,9 @@ def _convergence() -> Claim:
         unit="share of the step",
         condition=f"λ is {FITTING} (it then covers {said(fitting)}) and the sensor perfect",
         why=f"With the printed λ = {printed.FORGETTING} the memory is {memory:.0f} updates, and the dead "
-        f"zone lets {100 * used:.0f} % of the samples through: {memory * square().step / used:.0f} s of driving. "
-        f"The estimate swings about the middle of the two. With λ = {TENTH} it covers {said(tenth)}.",
+        f"zone lets {100 * used:.0f} % of the samples through: {memory * square().step / used:.0f} s of "
+        f"driving. The estimate swings about the middle of the two. With λ = {TENTH} it covers "
+        f"{said(tenth)}.",
     )
 
 

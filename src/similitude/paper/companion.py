@@ -5,11 +5,20 @@ Invariant: every number on the page is taken from a claim, an equation or a figu
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from similitude.paper.claim import CONDITION, FAILS, HOLDS, NOTHING, Claim
 from similitude.paper.claims_cost import counted
-from similitude.paper.claims_figure_5 import HOLD, filter_reads, least_sd, paper_tracking, tracking
+from similitude.paper.claims_figure_5 import (
+    FITTING,
+    HOLD,
+    filter_reads,
+    least_sd,
+    paper_tracking,
+    perfect_tracking,
+    tracking,
+)
 from similitude.paper.claims_figure_7 import DRY, PLANING, RETURN, belt_filter, coverage, excursions, gains
 from similitude.paper.drives import SOFT, SOFTEST
 from similitude.paper.errata import ERRATA
@@ -144,7 +153,8 @@ def _subject(name: str, claims: list[Claim]) -> Html:
 
 def _reason(claim: Claim) -> Html:
     when = f"Where {claim.condition}. " if claim.condition else ""
-    return paragraph(f"{when}{claim.why} Tolerance: {shown(claim.tolerance)}.", quiet=True)
+    told = f"{when}{claim.why} Tolerance: {shown(claim.tolerance)}.".replace("  ", " ")
+    return paragraph(re.sub(r"(?<![\w)])-(?=\d)", "−", told), quiet=True)
 
 
 def _quiet(text: str) -> Html:
@@ -154,15 +164,20 @@ def _quiet(text: str) -> Html:
 def _today(done: Reproduction) -> Html:
     n, found, sd = counted(), tracking(*filter_reads()), least_sd()
     perfect, noisy = paper_tracking(), paper_tracking(perfect=False)
+    fitting = paper_tracking(forgetting=FITTING)
     rows = [
         ("what is frozen", "four groups at averages", "nothing: they are a prior"),
         ("operations a sample", f"{n['paper']}", f"{n['filter']}"),
-        ("Figure 5, rms of ln K, perfect sensor", f"{perfect['rms']:.2f}", "not run"),
+        (
+            "Figure 5, rms of ln K, perfect sensor",
+            f"{perfect['rms']:.2f}; {fitting['rms']:.3f} with λ = {FITTING}",
+            f"{perfect_tracking()['rms']:.3f}",
+        ),
         ("Figure 5, rms of ln K, gyro 0.1 deg/s", f"{noisy['rms']:.1f}", f"{found['rms']:.3f}"),
         ("least sd at the end of Figure 5 (bound)", "", f"{sd[-1]:.4f}"),
         (
             "half-way to a new stiffness, median of five",
-            f"{_delay(perfect)}, perfect sensor",
+            f"{_delay(perfect)}, perfect sensor; {_delay(fitting)} with λ = {FITTING}",
             _delay(found),
         ),
         (

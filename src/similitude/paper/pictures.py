@@ -67,10 +67,8 @@ PICTURES = {
         "slight lag and "
         "a small steady bias.",
         "The same drive (scenario square_closed_loop), a perfect sensor. The first bias is as small as "
-        "printed. With "
-        "the printed λ the estimate swings about the middle of the two values; with a tenth of the memory "
-        "it goes "
-        "further, and is still on its way when the next change comes.",
+        "printed. With the printed λ the estimate swings about the middle of the two values; with a "
+        "twentieth of the memory it gets there, in the jumps of the path, since only they teach.",
         pictures_drives.figure_5,
     ),
     "6": Picture(
