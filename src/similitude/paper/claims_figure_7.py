@@ -147,8 +147,7 @@ def _planing() -> Claim:
         tolerance="a fifth or more",
         digits=2,
         unit="relative change",
-        why="Even with a perfect sensor the regression rises: what the belt does to a car without grip "
-        "looks stiff to it.",
+        why="Even with a perfect sensor the regression rises.",
     )
 
 

@@ -198,8 +198,8 @@ def _today(done: Reproduction) -> Html:
     told = paragraph(
         "Freezing a group is the limit of a prior without width. Keep the width, and a Kalman filter on "
         "the same dimensionless model says what it knows and what it does not. It reads the gyro that the "
-        "regression cannot read, and the gain of the regulator can follow it while it drives. On an uneven "
-        "belt, which pushes the vehicle as no road does, its interval is too narrow."
+        "regression cannot read, and the gain of the regulator can follow it while it drives. On the uneven "
+        "belt of Figure 7 its interval is too narrow."
     )
     return section(
         "What the paper's idea becomes today",

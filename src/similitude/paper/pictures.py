@@ -86,8 +86,8 @@ PICTURES = {
         "while the tyres hydroplane and at the fish-tail of 88 s, and recovers.",
         "A simulation of that story (scenario treadmill_hydroplaning): the motion is there, the fish-tail "
         "included. "
-        "The estimate is not: the printed λ forgets too slowly to fall, and without grip every push of the "
-        "belt raises it. Our vehicle is back on the dry two seconds earlier.",
+        "The estimate is not: the printed λ forgets too slowly to fall, and while hydroplaning it rises. Our "
+        "vehicle is back on the dry two seconds earlier.",
         pictures_drives.figure_7,
     ),
     "noise": Picture(
