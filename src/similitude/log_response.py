@@ -29,6 +29,7 @@ ALIKE = 0.5  # correlation from which the two regressions are within a factor of
 BEYOND_CHANCE = 5.0  # sd of Fisher's z of unrelated signals with the same spectra
 SMOOTH = 0.5  # correlation of the steer with itself a bin later; below, it is mostly noise
 MIRRORED = 0.97  # correlation at which even a sine, whose phase may be chance, is worth a word
+MOSTLY_BACKWARD = 0.9  # of the moving rows; a drive in reverse gear is short
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
@@ -129,7 +130,8 @@ def check_response(
     if relation is None:
         return found
     if relation.opposite > relation.same and (relation.counts or relation.is_mirrored):
-        found.append(_sign(relation, columns, file))
+        backward = float(np.mean(values["U"][moving] < 0)) > MOSTLY_BACKWARD
+        found.append(_sign(relation, columns, file, backward=backward))
     elif wheelbase is not None:
         froude = float(np.nanmean(np.where(moving, values["U"], np.nan) ** 2)) / (GRAVITY * wheelbase)
         found += _judge_gain(relation, froude, columns, file)
@@ -209,7 +211,16 @@ def _chance(x: np.ndarray, y: np.ndarray) -> float:
     return float(1 / np.sqrt(max(independent - 3, 1.0)))
 
 
-def _sign(relation: Relation, columns: Mapping[str, Column], file: str) -> Finding:
+def _sign(relation: Relation, columns: Mapping[str, Column], file: str, *, backward: bool = False) -> Finding:
+    if backward:
+        speed = columns["U"].header
+        return Finding(
+            "speed_sign", relation.is_turned,
+            f"column {shown(speed)} of {file} is negative, and the car turns to the side of its steer as it "
+            f"does when it drives forward (correlation of r and U delta {-relation.opposite:.2f})",
+            "the speed is counted the other way round.",
+            "--fix flip_speed_sign", READ, column=speed, value=-relation.opposite, fix="flip_speed_sign",
+        )  # fmt: skip
     steer, rate = (shown(column_of(name, columns).header) for name in ("delta", "r"))
     return Finding(
         "steer_sign", relation.is_turned,

@@ -21,7 +21,7 @@ from similitude.finding import Finding, refusal
 from similitude.log_cells import check_column
 from similitude.log_columns import Column, choose_columns, column_of
 from similitude.log_fixes import apply_fixes, check_fixes
-from similitude.log_plausibility import check_speed, check_units
+from similitude.log_plausibility import check_speed, check_turns, check_units
 from similitude.log_response import check_response
 from similitude.log_sensors import check_sensors
 from similitude.log_speed import check_speed_signal
@@ -113,6 +113,9 @@ def survey(
     findings += doubts
     values, met = _load(table, columns, {BLANKED[name] for name in wanted if name in BLANKED})
     findings += met
+    turned = check_turns(values, columns, file=path.name)
+    findings += turned.values()
+    values = {name: column for name, column in values.items() if name not in turned}
     sources = {name: _source(column) for name, column in columns.items()}
     findings += _divide_steering_wheel(values, sources, columns, vehicle, path.name)
     values, changed = apply_fixes(wanted, values, columns, findings)
