@@ -24,25 +24,25 @@ def columns_of(*headers):
 
 DEG = 180 / np.pi
 WRONG = {
-    "yaw rate in deg/s": ((1, 1, 5 * DEG, 1), HEADERS, "r [deg/s]"),
-    "yaw rate in deg/s, |r| U alone": ((1, 1, DEG, 1), HEADERS, "r [deg/s]"),
-    "yaw rate in mrad/s": ((1, 1, 1e3, 1), HEADERS, "r [deg/s]"),
-    "steer in deg": ((1, 10 * DEG, 1, 1), HEADERS, "delta [deg]"),
-    "speed in mm/s": ((1, 1, 1, 1e3), HEADERS, "U [mm/s]"),
-    "speed of a fast car in km/h": ((1, 1, 1, 9), HEADERS, "U [km/h]"),
+    "yaw rate in deg/s": ((1, 1, 5 * DEG, 1), HEADERS, "deg/s", "--fix yaw_rate_is_deg_per_s"),
+    "yaw rate in deg/s, |r| U alone": ((1, 1, DEG, 1), HEADERS, "deg/s", "--fix yaw_rate_is_deg_per_s"),
+    "yaw rate in mrad/s": ((1, 1, 1e3, 1), HEADERS, "deg/s", "--fix yaw_rate_is_deg_per_s"),
+    "steer in deg": ((1, 10 * DEG, 1, 1), HEADERS, "deg", "--fix steer_is_deg"),
+    "speed in cm/s": ((1, 1, 1, 1e2), HEADERS, "cm/s", "U [cm/s]"),
+    "speed of a fast car in km/h": ((1, 1, 1, 9), HEADERS, "km/h", "--fix speed_is_kmh"),
 }
 
 
 @pytest.mark.parametrize("case", WRONG)
-def test_a_wrong_unit_is_refused_with_the_header_to_write(case):
-    factors, headers, paste = WRONG[case]
+def test_a_wrong_unit_is_refused_with_the_line_to_paste(case):
+    factors, headers, unit, paste = WRONG[case]
 
     found = check_units(values_of(factors), columns_of(*headers), file="drive.csv")
 
     assert re.search(r"data row [0-9]+: .* cannot be", found[0].what)
     assert found[0].certain
     assert found[0].paste == paste
-    assert f"look like {paste.split('[')[1][:-1]}" in found[0].usually
+    assert f"look like {unit}" in found[0].usually
 
 
 def test_a_guess_that_would_not_help_is_not_made():

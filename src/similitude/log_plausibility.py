@@ -36,6 +36,8 @@ _LIMITS = (
     ("ay", LARGEST_ACCELERATION, ("m/s^2", "mg"), "m/s^2"),
 )
 
+# unit that the values look like -> repair; deg is offered for the steer, deg/s for the yaw rate
+_READ_AS = {"km/h": "speed_is_kmh", "deg/s": "yaw_rate_is_deg_per_s", "deg": "steer_is_deg"}
 FEWEST_FILLED = 3  # cells; one or two impossible values may be glitches, and are left to the estimator
 MOST_FILL_VALUES = 2  # different ones: an error has one number, or one for either end
 TURN = 2 * np.pi  # rad
@@ -174,15 +176,18 @@ def _above(
         f"{column.unit.text} cannot be; {label} reaches {level:.3g} {si} for 1 % of the rows, and "
         f"{most:.3g} {si} is the most"
     )
+    fix = _READ_AS.get(guess or "")
+    words = "; this reads them so" if fix else "; write it in the header"
     found = Finding(
         "impossible_unit",
         certain=True,
         what=what,
-        usually=f"the unit is another: these values look like {guess}; write it in the header."
+        usually=f"the unit is another: these values look like {guess}{words}."
         if guess
         else "the column holds raw counts or another signal; scale it first.",
-        paste=f"{name} [{guess}]" if guess else f'--map "{name}=COLUMN"',
+        paste=f"--fix {fix}" if fix else f"{name} [{guess}]" if guess else f'--map "{name}=COLUMN"',
         read=READ,
+        fix=fix,
         column=column.header,
         value=level,
         rows=(row + 1, row + 1),
