@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 FAILURES = ROOT / "fuzz-failures"
-SHARES = {"text": 0.5, "parquet": 0.25, "vehicle": 0.25}
+SHARES = {"text": 0.4, "signals": 0.3, "parquet": 0.15, "vehicle": 0.15}
 ROWS, EVERY = 60, 4  # of each bundled log: five seconds in few bytes, so that mutations reach far
 WORKERS = 2
 SLOWEST = 10  # s for one file of a few kilobytes

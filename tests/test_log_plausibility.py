@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from similitude.log_columns import choose_columns
-from similitude.log_plausibility import check_speed, check_units
+from similitude.log_plausibility import check_speed, check_turns, check_units, fill_rows
 
 from .log_text import HEADERS, drive
 
@@ -89,3 +89,26 @@ def test_standstill_and_reverse_are_said():
 def test_a_car_that_never_moved_stands_in_100_percent():
     (still,) = check_speed(np.zeros(300), header="U [m/s]")
     assert "in 100 % of the rows" in still.what
+
+
+@pytest.mark.parametrize("fill", [-9999.0, 99999.0])
+def test_a_number_for_a_missing_value_is_named_and_no_unit(fill):
+    values = values_of(samples=1000)
+    values["r"][::100] = fill
+
+    (found,) = check_units(values, columns_of(), file="drive.csv")
+
+    assert (found.fault, found.fix) == ("fill_value", "drop_fill_values") and f"{fill:g}" in found.what
+    assert fill_rows(values["r"], "r").sum() == 10
+
+
+@pytest.mark.parametrize(("name", "header"), [("delta", "delta [deg]"), ("r", "r [deg/s]")])
+def test_an_angle_without_a_sign_is_said_to_be_one(name, header):
+    values = values_of(samples=1000)
+    headers = [header if one.startswith(name) else one for one in HEADERS]
+    values[name] = values[name] % (2 * np.pi)
+
+    found = check_turns(values, columns_of(*headers), file="drive.csv")
+
+    assert list(found) == [name] and "% 360" in found[name].paste
+    assert check_turns(values_of(samples=1000), columns_of(), file="drive.csv") == {}

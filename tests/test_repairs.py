@@ -180,5 +180,5 @@ def test_a_repair_gives_the_sound_logs_answer(tmp_path, sound, fix, base):
     )
     sds = [run.K.std / run.K.value for run in (before, after)]
     # The model leaves more of a real car unexplained than noise: there K must stay within its own sd.
-    room = sds[1] * (SDS * np.sqrt(max(lost, 0)) + CLOSE) if base not in REAL else max(sds)
+    room = max(sds[1] * (SDS * np.sqrt(max(lost, 0)) + CLOSE), max(sds) if base in REAL else 0)
     assert abs(np.log(after.K.value / before.K.value)) <= room

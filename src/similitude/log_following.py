@@ -37,7 +37,8 @@ BEYOND_NOISE = 3.0  # robust sds of what it leaves unexplained elsewhere
 AT_END = 0.01, 0.8  # share of the rows at an end: cut off there
 VISITS = 2
 PILED = 3.0  # times the rows of the next step; rounding gives a sine's peak 2.4 times at most
-BETTER = 0.1  # of what is left unexplained, taken away by the bulges of a steer that goes on
+BETTER = 0.05  # of what is left unexplained, taken away by the bulges of a steer that goes on
+BEYOND_END = 0.1  # sd of the yaw rate, by which a steer asks for more than its largest value
 
 
 @dataclass(frozen=True, eq=False)
@@ -206,7 +207,9 @@ def cut_short(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     asked = answer.design @ _solved(answer.square, answer.product)
     beyond = float(np.mean((np.sign(side) * (asked - answer.turned))[there]))
     visits = np.count_nonzero(np.diff(there.astype(np.int8)) == 1) + int(there[0])
-    sure = max(BEYOND_NOISE * answer.noise / np.sqrt(visits), BETTER * float(np.std(answer.turned[known])))
+    sure = max(
+        BEYOND_NOISE * answer.noise / np.sqrt(visits), BEYOND_END * float(np.std(answer.turned[known]))
+    )
     return ends != 0 if beyond > sure else rows
 
 

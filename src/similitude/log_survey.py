@@ -9,6 +9,8 @@ the same stays in `values`. Nothing is changed unless its repair was asked for b
 
 from __future__ import annotations
 
+import re
+import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -29,6 +31,7 @@ from similitude.log_time import FEWEST_ROWS, check_time
 from similitude.readers import Table, open_table
 from similitude.vehicle_file import Vehicle
 
+THIS_LOG = re.compile(r"(?<![A-Z_])LOG\.csv")  # in a line to paste
 NOTHING: Mapping[str, str] = MappingProxyType({})
 # repair -> the fault of a cell that it makes a missing one
 BLANKED = {"blank_text": "text_in_cell", "keep_longest_part": "header_again"}
@@ -123,6 +126,8 @@ def survey(
     findings += _check(values, columns, path.name, length)
     for name in columns.keys() - values.keys():
         sources.pop(name, None)
+    named = shlex.quote(str(path))
+    findings = [replace(one, paste=THIS_LOG.sub(lambda _: named, one.paste)) for one in findings]
     return Survey(path.stem, path, table.headers, columns, values, sources, tuple(findings), changed)
 
 
