@@ -107,7 +107,9 @@ def _spoil(given: atheris.FuzzedDataProvider, part: np.ndarray) -> None:
             lambda: np.round(part / size) * size,
             lambda: part + size,
             lambda: part * size,
-            lambda: np.where(np.arange(part.size) % (1 + int(min(abs(size), 9))), np.nan, part),
+            lambda: np.where(
+                np.arange(part.size) % (1 + int(np.nan_to_num(min(abs(size), 9.0)))), np.nan, part
+            ),
             lambda: np.repeat(part[::5], 5)[: part.size],
             lambda: part[::-1].copy(),
             lambda: np.full(part.size, size),

@@ -193,7 +193,9 @@ def cut_short(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     Noise alone lifts a largest value above what the steer asks for, so that chance speaks against a cut.
     """
     rates = values["r"]
-    ends = _ends(rates) * _is_piled(rates)
+    ends = _ends(rates)
+    if ends.any():
+        ends *= _is_piled(rates)
     rows = np.zeros(rates.size, dtype=bool)
     seen = Following.of(values, name) if ends.any() else None
     if seen is None:

@@ -128,7 +128,8 @@ def _is_coarse(x: np.ndarray) -> bool:
     """Whether a signal moves by a few steps of one size: without noise, a driver may hold it still."""
     moved = np.diff(x)
     moved = moved[np.isfinite(moved) & (moved != 0)]
-    return np.unique(np.round(moved / (np.abs(moved).min(initial=np.inf) / 4))).size < MOST_STEPS * moved.size
+    step = max(float(np.abs(moved).min(initial=np.inf)) / 4, 1e-300)  # the smallest of floats has no quarter
+    return np.unique(np.round(moved / step)).size < MOST_STEPS * moved.size
 
 
 def cut_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
@@ -202,7 +203,11 @@ def straight_rows(t: np.ndarray, x: np.ndarray) -> np.ndarray:
     elsewhere = straight.size - int((stops - starts)[long].sum())
     by_chance = int((stops - starts)[~long].sum()) / max(elsewhere, 1)
     bent = ~straight & np.isfinite(bend)
-    if by_chance > MOST_REPEATS and np.median(np.abs(bend[bent]) / (rounding[bent] + 1e-300)) > KINK:
+    if (
+        by_chance > MOST_REPEATS
+        and bent.any()
+        and np.median(np.abs(bend[bent]) / (rounding[bent] + 1e-300)) > KINK
+    ):
         long[:] = True  # every few rows one was measured, and lines lead from one to the next
     elif _is_noise(bend[bent]):
         long &= stops - starts >= _longest_by_chance(by_chance, straight.size)
