@@ -71,8 +71,8 @@ class Case:
 
 
 # A wrong unit of the speed is often seen by `identify` alone; tests/test_fault_rates.py measures that. A
-# yaw rate that is held or coarse shows neither lines nor ends of its range.
-UNSEEN = {("slow bus", "drop_interpolated")}
+# yaw rate that is held or coarse shows no lines, and on a gusty day not always that it is stuck or cut.
+UNSEEN = {("slow bus", fix) for fix in ("drop_interpolated", "drop_stuck", "drop_clipped")}
 
 CASES = {
     "unwrap_time": Case(bad.wrapped(2**32 * 1e-6), {}, True),
@@ -161,8 +161,10 @@ def test_a_repair_gives_the_sound_logs_answer(tmp_path, sound, fix, base):
     path = _written(tmp_path, drive, damaged, case.units)
 
     seen = survey(path, vehicle=vehicle)
-    if (base, fix) in UNSEEN:
-        pytest.skip("docs/logs.md says that such a log does not show it")
+    if (base, fix) in UNSEEN:  # then it must not matter
+        K = identify(read_log(path, vehicle=vehicle), vehicle).K
+        assert K.lo <= identify(whole, vehicle).K.value <= K.hi
+        return
     offered = {one.fix for one in seen.findings}
     assert fix in offered or not case.offered, [one.fault for one in seen.findings]
     mended = read_log(path, vehicle=vehicle, fixes=[fix])
