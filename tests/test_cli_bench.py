@@ -49,6 +49,11 @@ def test_an_output_that_is_a_file_is_refused_before_the_work(asked, tmp_path, ca
     assert not asked and "Paste:" in capsys.readouterr().err
 
 
+def test_a_part_that_is_none_is_refused(asked, tmp_path, capsys):
+    assert left("--part", "fault", "--out", str(tmp_path)) == 2
+    assert not asked and "--part faults" in capsys.readouterr().err
+
+
 def test_an_entrant_that_is_not_there_is_a_usage_error(tmp_path, capsys):
     assert left("--quick", "--entrant", str(tmp_path / "none.py"), "--out", str(tmp_path)) == 2
     assert "none.py" in capsys.readouterr().err

@@ -6,6 +6,7 @@ otherwise. Nothing heavy is imported until the work begins.
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated
 
@@ -14,12 +15,16 @@ import typer
 from similitude.errors import UsageError
 
 DEFAULT = "similitude-out/bench"
+PARTS = ("all", "table", "faults")
 
 
 def bench(
     quick: Annotated[
         bool, typer.Option("--quick", help="A few cells and seeds, in a minute, instead of all.")
     ] = False,
+    part: Annotated[
+        str, typer.Option(metavar="|".join(PARTS), help="Manoeuvres × plants, faults, or both.")
+    ] = "all",
     entrants: Annotated[
         list[Path] | None,
         typer.Option(
@@ -47,13 +52,22 @@ def bench(
             paste=f"similitude bench --quick --out {DEFAULT}",
             read='docs/benchmark.md, "The command"',
         )
+    if part not in PARTS:
+        raise UsageError(
+            f"--part '{part}' is none of {', '.join(PARTS)}",
+            usually="it is a matter of spelling.",
+            paste="similitude bench --part faults",
+            read='docs/benchmark.md, "The command"',
+        )
+    # Before NumPy: cells run side by side, and small matrices gain nothing from threads of their own.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from rich.console import Console
 
     from similitude.benchmark.running import run_benchmark
 
     with Console(stderr=True).status("cars are drawn") as status:
         result = run_benchmark(
-            quick=quick, seed=seed, files=entrants or (), processes=processes, tell=status.update
+            quick=quick, part=part, seed=seed, files=entrants or (), processes=processes, tell=status.update
         )
     from similitude.benchmark.result_files import plain, write_result
 

@@ -42,6 +42,12 @@ def test_every_cell_is_a_scenario_that_can_be_read(cell):
     assert read.timing.ticks * read.timing.step == pytest.approx(80, abs=0.02)
 
 
+def test_the_parts_together_are_the_whole():
+    table, faults, every = (cells(quick=False, foreign=True, part=p) for p in ("table", "faults", "all"))
+
+    assert not set(table) & set(faults) and set(table) | set(faults) == set(every)
+
+
 def test_making_a_scenario_leaves_the_tables_of_the_cells_as_they_were():
     one = cells(quick=True, foreign=False)[0]
     before = one.changes

@@ -149,13 +149,14 @@ class Cell:
         return {name: FAULTS.get(self.fault, {}).get(name, 1.0) for name in ("K", "eta")}
 
 
-def cells(*, quick: bool, foreign: bool) -> list[Cell]:
+def cells(*, quick: bool, foreign: bool, part: str = "all") -> list[Cell]:
     """Return the cells of a run, the longest to simulate first.
 
     Parameters
     ----------
     quick : bool     a few cells and seeds, for a look
     foreign : bool   whether commonroad-vehicle-models is installed
+    part : str       "table" (manoeuvres and plants), "faults", or "all"
     """
     if quick:
         return [Cell(*one, QUICK_SEEDS) for one in QUICK]
@@ -164,4 +165,5 @@ def cells(*, quick: bool, foreign: bool) -> list[Cell]:
     found = [Cell(c.manoeuvre, c.plant, "none", FOREIGN_SEEDS) if c.is_foreign else c for c in found]
     faults = [Cell(m, p, f, SEEDS) for f in FAULTS for m in FAULT_MANOEUVRES for p in FAULT_PLANTS]
     found += [c for c in faults if not (c.plant == "linear" and c.fault in NOT_ON_LINEAR)]
-    return sorted((c for c in found if foreign or not c.is_foreign), key=lambda c: c.plant != "multi_body")
+    wanted = [c for c in found if part == "all" or (part == "faults") == (c.fault != "none")]
+    return sorted((c for c in wanted if foreign or not c.is_foreign), key=lambda c: c.plant != "multi_body")

@@ -114,6 +114,7 @@ def _motion(L: float, pi1: float, eta: float, rho: float):
     p2 = 1 - pi1
     a, b, inertia = pi1 * L, p2 * L, rho * pi1 * p2 * L * L
     front, rear = START_K / L, START_K / L * eta * pi1 / p2
+    F = np.eye(9)  # the entries that are not written below stay as they are
     both, lever, square = front + rear, a * front - b * rear, a * a * front + b * b * rear
 
     def step(x: Array, dt: float) -> tuple[Array, Array]:
@@ -121,18 +122,16 @@ def _motion(L: float, pi1: float, eta: float, rho: float):
         steer = (wheel - slow - fast) / ratio
         aside = (-both * v - lever * r) / u + front * steer  # of sf = 1, the two rates that stiffness makes
         turning = ((-lever * v - square * r) / u + a * front * steer) / inertia
-        F = np.eye(9)
-        F[ASIDE, [STIFFNESS, FORWARD, ASIDE, YAW, ROLL]] += [
-            dt * aside, dt * (sf * (both * v + lever * r) / u**2 - r), -dt * sf * both / u,
-            -dt * (sf * lever / u + u), -dt * G,
-        ]  # fmt: skip
-        F[YAW, [STIFFNESS, FORWARD, ASIDE, YAW]] += [
-            dt * turning, dt * sf * (lever * v + square * r) / u**2 / inertia,
-            -dt * sf * lever / u / inertia, -dt * sf * square / u / inertia,
-        ]  # fmt: skip
+        F[ASIDE, STIFFNESS], F[YAW, STIFFNESS] = dt * aside, dt * turning
+        F[ASIDE, FORWARD] = dt * (sf * (both * v + lever * r) / u**2 - r)
+        F[YAW, FORWARD] = dt * sf * (lever * v + square * r) / u**2 / inertia
+        F[ASIDE, ASIDE], F[ASIDE, YAW] = 1 - dt * sf * both / u, -dt * (sf * lever / u + u)
+        F[YAW, ASIDE], F[YAW, YAW] = -dt * sf * lever / u / inertia, 1 - dt * sf * square / u / inertia
+        F[ASIDE, ROLL] = -dt * G
         for row, arm in ((ASIDE, front), (YAW, a * front / inertia)):
             by = dt * sf * arm / ratio
-            F[row, [STEER_RATIO, SLOW, FAST, WHEEL]] += [-by * steer, -by, -by, by]
+            F[row, STEER_RATIO], F[row, WHEEL] = -by * steer, by
+            F[row, SLOW] = F[row, FAST] = -by
         later = x.copy()
         later[ASIDE] += dt * (sf * aside - u * r - G * roll)
         later[YAW] += dt * sf * turning
