@@ -63,7 +63,8 @@ def _of_alarms(record: dict[str, Any]) -> list[dict[str, Any]]:
     return [r for r in record["totals"] if r["missed"] is not None and (r["missed"] < 1 or r["false_alarms"])]
 
 
-def _bound_of(result: Result, row: dict[str, Any]) -> str:
+def bound_of(result: Result, row: dict[str, Any]) -> str:
+    """Return a row's rms over the bound of its cell, nothing where there is none."""
     where = {key: row[key] for key in ("manoeuvre", "plant", "fault")}
     return over_bound(row, next(iter(result.rows(estimator=BOUND, **where)), None))
 
@@ -75,7 +76,7 @@ def _cells(result: Result, *, fault: bool) -> list[Html]:
         rows = [r for r in result.rows(estimator=name) if (r["fault"] != "none") == fault]
         if not rows:
             continue
-        columns = {**COLUMNS, "over bound": lambda row: _bound_of(result, row)}
+        columns = {**COLUMNS, "over bound": lambda row: bound_of(result, row)}
         if any(r["missed"] is not None and r["missed"] < 1 for r in rows):
             columns |= ALARM
         shown = _html([{**r, "cell": cell_name(r)} for r in rows], "cell", columns)

@@ -143,7 +143,8 @@ def _record(
     rows, totals = [], []
     for name in names:
         everywhere = [s for cell in wanted for s in found[cell][name]]
-        threshold, hours = threshold_of(everywhere)
+        sound = [s for cell in wanted if cell.fault == "none" for s in found[cell][name]]
+        threshold, hours = threshold_of(sound)
         total = tally(everywhere, threshold) if everywhere else {}
         faults = sorted({s.fault for s in everywhere if s.fault})
         totals.append({"estimator": name, "threshold": threshold, "sound_hours": hours, **total,

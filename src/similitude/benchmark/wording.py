@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
-COLUMNS: dict[str, Callable[[dict[str, Any]], str]] = {
+Column = Callable[[Mapping[str, Any]], str]
+COLUMNS: dict[str, Column] = {
     "rms ln K": lambda row: percent(row["rms"]),
     "median": lambda row: percent(row["rms_median"]),
     "bias": lambda row: percent(row["bias"], sign=True),
@@ -17,7 +18,7 @@ COLUMNS: dict[str, Callable[[dict[str, Any]], str]] = {
     "detected": lambda row: seconds(row["step_delay_s"]),
     "diverged": lambda row: str(row["diverged"]),
 }
-ALARM: dict[str, Callable[[dict[str, Any]], str]] = {
+ALARM: dict[str, Column] = {
     "alarm": lambda row: seconds(row["alarm_s"]),
     "p90": lambda row: seconds(row["alarm_p90_s"]),
     "missed": lambda row: percent(row["missed"]),
@@ -26,13 +27,13 @@ ALARM: dict[str, Callable[[dict[str, Any]], str]] = {
         "" if row["false_per_hour_95"] is None else f"{row['false_per_hour_95']:.2g}"
     ),
 }
-COST: dict[str, Callable[[dict[str, Any]], str]] = {
+COST: dict[str, Column] = {
     "ns a sample": lambda row: "" if row["step_ns"] is None else f"{row['step_ns']:.0f}",
     "ns, whole call": lambda row: "" if row["call_ns"] is None else f"{row['call_ns']:.0f}",
     "operations": lambda row: str(row["operations"] or ""),
 }
 # Short enough for eighty characters: units in the heading.
-TERMINAL: dict[str, Callable[[dict[str, Any]], str]] = {
+TERMINAL: dict[str, Column] = {
     "rms %": lambda row: bare(row["rms"]),
     "med. %": lambda row: bare(row["rms_median"]),
     "bias %": lambda row: bare(row["bias"]),
@@ -41,7 +42,7 @@ TERMINAL: dict[str, Callable[[dict[str, Any]], str]] = {
     "half s": lambda row: seconds(row["half_way_s"]).removesuffix(" s"),
     "ns": lambda row: "" if row["step_ns"] is None else f"{row['step_ns']:.0f}",
 }
-TERMINAL_CELL: dict[str, Callable[[dict[str, Any]], str]] = {
+TERMINAL_CELL: dict[str, Column] = {
     "rms %": TERMINAL["rms %"],
     "cover %": TERMINAL["cover %"],
     "wrong": TERMINAL["wrong"],
@@ -57,7 +58,7 @@ MEANING = {
     "wrong": "of those, drives that are off by more than 30 %",
     "half-way": "median time after the change until the estimate is half-way in ln K",
     "detected": "median delay of one and the same test on every estimator's ln K (its fall against 10 s "
-    "earlier), the threshold such that it rings falsely once an hour",
+    "earlier), the threshold such that it rings falsely once an hour in cells without a fault",
     "diverged": "drives with an error, no number or a K that is not positive",
     "alarm": "median delay of the estimator's own alarm",
 }
