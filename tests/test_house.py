@@ -42,10 +42,11 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
+    "benchmark",
     "embedded",
     "paper",
     "cli_complaint cli_usage",
-    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
+    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper cli_bench",
     "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from similitude.cli_analyze import analyze
+from similitude.cli_bench import bench
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
 from similitude.cli_export import export
@@ -143,6 +144,7 @@ app.command()(simulate)
 app.command()(compare)
 app.command()(export)
 app.command()(paper)
+app.command()(bench)
 
 
 @app.command()
