@@ -121,7 +121,7 @@ def measurement(layout: Layout) -> list[Statement]:
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
     at = {name: i for i, name in enumerate(layout.coordinates)}
-    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion, strict=True)}
+    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion or layout.fast, strict=True)}
     H: dict[int, sp.Expr] = {}
     for name in layout.fast:
         slope = S("output_scale") * output.diff(S(name))

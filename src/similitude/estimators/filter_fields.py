@@ -26,6 +26,8 @@ class Layout:
     reduction: Reduction
     errors: tuple[str, ...] = (INPUT_SCALE, OFFSET, BIAS)  # of the sensors, those that are carried
     monitored: bool = True  # hand out what a monitor beside it needs
+    followed: bool = True  # sensitivities along states of their own, not along the estimate
+    fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
 
     @property
     def carried(self) -> tuple[Unknown, ...]:
@@ -51,7 +53,7 @@ class Layout:
     @property
     def companion(self) -> tuple[str, ...]:
         """The same states along the input alone, where sensitivities are taken."""
-        return tuple(f"{name}_plain" for name in self.fast)
+        return tuple(f"{name}_plain" for name in self.fast) if self.followed else ()
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -162,7 +164,10 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
         *_if(BIAS in layout.errors, Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias")),
         Field("timing_error", "s", "timing error between input and output"),
-        Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        *_if(
+            layout.followed,
+            Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        ),
         Field("structure_share", "-", "structural error as a share of the output's activity"),
         Field("structure_time", "s", "correlation time of the structural error"),
         Field("activity_rate", "1/s", "averaging rate of the output's activity"),

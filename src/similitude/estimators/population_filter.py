@@ -279,11 +279,13 @@ def _dynamics(layout: Layout) -> list[Statement]:
         ratio = layout.inverted(groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name])
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
-        lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
+        if layout.companion:
+            lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
     scale = S(INPUT_SCALE) if INPUT_SCALE in layout.errors else sp.Integer(1)
     offset = S(OFFSET) if OFFSET in layout.errors else sp.Integer(0)
     lines.append(Assign("steer", scale * (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
-    lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
+    if layout.fine:
+        lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
     plain = S("steer")  # an estimated offset holds the noise it came from
     unit = layout.inverted(1 / groups.scale[layout.input.name])
     lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
@@ -292,15 +294,17 @@ def _dynamics(layout: Layout) -> list[Statement]:
     replace = {**states, layout.input.symbol: S("u")}
     rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]
     chain = {u.name: u.jacobian for u in layout.carried} | {"u": unit}
-    companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")}
+    companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")} if layout.companion else None
     fast = [S(n) for n in layout.fast]
-    ramp = ("u", S("steer_change"))
-    step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp)
+    ramp = ("u", S("steer_change")) if layout.fine else None
+    halves = 2 if layout.fine else 1
+    step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp, halves=halves)
     lines += step.statements
     lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
     lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
-    lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
-    for i, name in enumerate(layout.fast):
+    if layout.companion:
+        lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
+    for i, name in enumerate(layout.fast if layout.companion else ()):
         own = step.companion_after[i]
         lines.append(Assign(f"{name}_plain", own + S("follow") * (S(name) - own)))
     return lines
