@@ -86,10 +86,9 @@ def filter_config(
     widths = LIMIT_SD * prior.std
     widths[0] = LIMIT_SD_TARGET * np.hypot(prior.std[0], ROOM)
     low, high = prior.limits(widths)
-    carried = [i for i, name in enumerate(prior.names) if f"{name}_prior" in library.names("config")]
     values = {
         "L": L,
-        "P_prior": prior.covariance[np.ix_(carried, carried)][np.triu_indices(len(carried))],
+        "P_prior": prior.covariance[np.triu_indices(len(prior.names))],
         "prior_information": 1 / prior.covariance[0, 0],
         "noise_variance": noise_std**2,
         "input_scale_sd": input_scale_sd,
@@ -98,7 +97,6 @@ def filter_config(
     }
     for i, name in enumerate(prior.names):
         values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
-    values |= dict(zip(prior.names, prior.mean, strict=True))  # what a small filter takes for known
-    told = {row[0] for row in library.layout.CONFIG}
+    told = {row[0] for row in library.layout.CONFIG}  # a small filter asks for less
     own = {name: value for name, value in {**DESIGN, **values}.items() if name in told}
     return library.config({**own, **changes})

@@ -23,14 +23,13 @@ class Unknown:
 
     ``role``: ``identify`` (the first one: may change at any time), ``estimate`` (constant, learnt),
     ``seldom`` (constant, learnt from one sample in a while: what it trades against is learnt first),
-    ``consider`` (constant, kept at its prior while its uncertainty is carried along), ``fix`` (taken for
-    known: one number, no uncertainty).
+    ``consider`` (constant, kept at its prior while its uncertainty is carried along).
     """
 
     name: str
     unit: str
     kind: Literal["log", "linear"]
-    role: Literal["identify", "estimate", "seldom", "consider", "fix"]
+    role: Literal["identify", "estimate", "seldom", "consider"]
     meaning: str
 
     @property

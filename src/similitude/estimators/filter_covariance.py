@@ -127,7 +127,7 @@ def measurement(layout: Layout) -> list[Statement]:
         slope = S("output_scale") * output.diff(S(name))
         if slope != 0:
             H[at[name]] = slope
-    for u in layout.carried:
+    for u in layout.reduction.unknowns:
         # along the companion: a corrected state holds noise of the measurement it would be
         # weighed against, and the unknown would be drawn away by their product
         slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian

@@ -13,7 +13,7 @@ import sympy as sp
 from similitude.model import Quantity
 from similitude.program.ir import Field
 from similitude.program.symmetric import Symmetric
-from similitude.reduction import Reduction, Unknown
+from similitude.reduction import Reduction
 
 DISTURBANCE, OFFSET, BIAS = "disturbance", "input_offset", "output_bias"
 INPUT_SCALE = "input_scale"
@@ -30,19 +30,9 @@ class Layout:
     fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
 
     @property
-    def carried(self) -> tuple[Unknown, ...]:
-        """The unknowns that are coordinates of the filter."""
-        return tuple(u for u in self.reduction.unknowns if u.role != "fix")
-
-    @property
-    def fixed(self) -> tuple[Unknown, ...]:
-        """The unknowns that are taken for known; each is one number of the configuration."""
-        return tuple(u for u in self.reduction.unknowns if u.role == "fix")
-
-    @property
     def moving(self) -> tuple[str, ...]:
         """Coordinates that are kept between limits."""
-        own = tuple(u.name for u in self.carried if u.role != "consider")
+        own = tuple(u.name for u in self.reduction.unknowns if u.role != "consider")
         return (*own, INPUT_SCALE) if INPUT_SCALE in self.errors else own
 
     @property
@@ -58,7 +48,7 @@ class Layout:
     @property
     def unknowns(self) -> tuple[str, ...]:
         """Slow unknowns, the one to identify first."""
-        return tuple(u.name for u in self.carried)
+        return tuple(u.name for u in self.reduction.unknowns)
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -143,15 +133,14 @@ class Layout:
 def config_fields(layout: Layout) -> tuple[Field, ...]:
     """What the filter is told once: scales, prior, sensor, and the design constants."""
     i, o, t = layout.input, layout.output, layout.target
-    priors = [Field(f"{u.name}_prior", u.unit, f"prior of {u.meaning}") for u in layout.carried]
+    priors = [Field(f"{u.name}_prior", u.unit, f"prior of {u.meaning}") for u in layout.reduction.unknowns]
     limits = [
         Field(f"{u.name}_{side}", u.unit, f"{side}est value the population allows")
-        for u in layout.carried
+        for u in layout.reduction.unknowns
         for side in ("low", "high")
     ]
     return (
         *(Field(q.name, q.unit, q.meaning) for q in layout.scales),
-        *(Field(u.name, u.unit, f"{u.meaning}, taken for known") for u in layout.fixed),
         *priors,
         layout.prior.field("-", "prior covariance of the unknowns' coordinates, upper triangle"),
         Field("prior_information", "-", f"1/prior variance of ln {t}"),
@@ -248,7 +237,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         *(Field(name, "-", "dimensionless state") for name in layout.fast),
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
-        *(Field(u.name, u.unit, u.meaning) for u in layout.carried),
+        *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
         *_error_states(layout),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
         Field("noise_scale", "-", "noise variance against nominal"),
@@ -308,7 +297,7 @@ def monitored_fields(layout: Layout) -> tuple[Field, ...]:
     if not layout.monitored:
         return ()
     return (
-        *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.carried[1:]),
+        *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.reduction.unknowns[1:]),
         Field("offset_now", i.unit, f"offset of {i.name}"),
         Field("bias_now", o.unit, f"bias of {o.name}"),
         Field("noise_now", f"({o.unit})^2", "variance of the measurement"),

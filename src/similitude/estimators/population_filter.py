@@ -293,7 +293,7 @@ def _dynamics(layout: Layout) -> list[Statement]:
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
     rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]
-    chain = {u.name: u.jacobian for u in layout.carried} | {"u": unit}
+    chain = {u.name: u.jacobian for u in layout.reduction.unknowns} | {"u": unit}
     companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")} if layout.companion else None
     fast = [S(n) for n in layout.fast]
     ramp = ("u", S("steer_change")) if layout.fine else None
