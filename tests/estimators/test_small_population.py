@@ -69,7 +69,9 @@ def test_twin_and_c_agree_on_every_bit_and_status():
 
 @settings(max_examples=60, deadline=None)
 @given(
-    rows=st.lists(st.lists(st.floats(allow_nan=True, width=64), min_size=4, max_size=4), min_size=1, max_size=30)
+    rows=st.lists(
+        st.lists(st.floats(allow_nan=True, width=64), min_size=4, max_size=4), min_size=1, max_size=30
+    )
 )
 def test_no_sample_can_disable_it(rows):
     state = LIBRARY.start(CONFIG)

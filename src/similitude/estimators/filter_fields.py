@@ -209,9 +209,7 @@ def _error_config(layout: Layout) -> tuple[Field, ...]:
             OFFSET in layout.errors,
             Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
         ),
-        *_if(
-            BIAS in layout.errors, Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}")
-        ),
+        *_if(BIAS in layout.errors, Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}")),
     )
 
 

@@ -117,9 +117,7 @@ def _init(layout: Layout) -> list[Statement]:
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
     lines += [Assign(name, sp.Integer(name == INPUT_SCALE)) for name in layout.errors]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
-    lines += [
-        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, *layout.errors)
-    ]
+    lines += [Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, *layout.errors)]
     lines += [
         Assign(P.target(at[a], at[b]), prior[i, j])
         for i, a in enumerate(layout.unknowns)

@@ -1,6 +1,6 @@
 """The population filter for small parts: the same derivation with fewer coordinates and a shorter step.
 
-All unknowns are carried: with one taken for known the interval covers a third to two thirds of what it says.
+All unknowns are carried: what is wrongly taken for known ends in the estimate and not in its interval.
 Left out is what loses little: scale and offset of the input (the disturbance stands for the offset), the
 companion states (sensitivities are taken along the estimate), the second half step and the straight line
 between two inputs, and what only a monitor needs. What that loses is printed by scripts/small_filter.py.
