@@ -24,7 +24,10 @@ def export(
     ] = None,
     estimator: Annotated[
         str | None,
-        typer.Option(metavar="population|paper|band|output_error|robust|monitor", help="What to export."),
+        typer.Option(
+            metavar="population|small_population|paper|band|output_error|robust|monitor",
+            help="What to export.",
+        ),
     ] = None,
     real: Annotated[str | None, typer.Option(metavar="float|double", help="Type of every number.")] = None,
     target: Annotated[

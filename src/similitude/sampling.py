@@ -53,6 +53,7 @@ def implicit_step(
     parameters: Mapping[str, sp.Expr],
     companion: Mapping[sp.Symbol, sp.Symbol] | None = None,
     ramp: tuple[str, sp.Symbol] | None = None,
+    halves: int = 2,
 ) -> ImplicitStep:
     """Derive the step for the given rates.
 
@@ -65,6 +66,9 @@ def implicit_step(
         trajectory itself.
     ramp : name of the parameter that is an input, and symbol of its change over the step; none: all
         inputs are held.
+    halves : 2: two half steps, as above; 1: one whole step of the same approximant,
+        M = N^-1 (I + J), G = h N^-1 (I - J/2) with J = (h/3) df/dx, for a third fewer operations: within
+        1.2 % of the exponential at |h lambda| = 1, 0.1 % at one half. Takes no ramp.
 
     Returns
     -------
@@ -75,7 +79,8 @@ def implicit_step(
     J = f.jacobian(sp.Matrix(states))
     scaled = _matrix(n, "J", lambda i, j: J[i, j] != 0)
     path = companion or {}
-    lines = _shared(f, J, states, parameters, path) + _inverse(scaled, n, ramped=ramp is not None)
+    lines = _shared(f, h / (3 * halves) * J, states, parameters, path)
+    lines += _inverse(scaled, n, ramped=ramp is not None) if halves == 2 else _whole_step(scaled, n)
     M, G = (_matrix(n, letter, lambda i, j: True) for letter in "MG")
     rate = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in states])
     change = sp.Matrix([sp.Symbol(f"d_{x.name}", real=True) for x in states])
@@ -106,10 +111,10 @@ def _shared(
     parameters: Mapping[str, sp.Expr],
     path: Mapping[sp.Symbol, sp.Symbol],
 ) -> list[Assign]:
-    """Rates, (h/6) df/dx and df/dp with their common parts taken out together, each reciprocal once."""
+    """Rates, scaled df/dx and df/dp with their common parts taken out together, each reciprocal once."""
     named = {f"f_{x.name}": f[i] for i, x in enumerate(states)}
     named |= {f"f_{path[x].name}": f[i].xreplace(path) for i, x in enumerate(states) if x in path}
-    named |= {f"J_{i}{j}": h / 6 * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0}
+    named |= {f"J_{i}{j}": J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0}
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
@@ -169,6 +174,16 @@ def _inverse(J: sp.Matrix, n: int, *, ramped: bool) -> list[Assign]:
         of.named("w", of.product(D, half), "W/h in powers of J")
     of.matrix(whole, "M", "dx+/dx")
     of.matrix(change, "G", "change per rate")
+    return of.lines
+
+
+def _whole_step(J: sp.Matrix, n: int) -> list[Assign]:
+    """Statements for M and G of one step of the approximant."""
+    of = MatrixFunction(J)
+    N = of.named("n", of.reduced([1, -2, sp.Rational(3, 2)]))
+    D = of.inverse(N, "i", "det N > 0 for every real J")
+    of.matrix(of.named("m", of.product(D, of.reduced([1, 1]))), "M", "dx+/dx")
+    of.matrix(of.named("g", of.product(D, of.reduced([h, -h / 2]))), "G", "change per rate")
     return of.lines
 
 

@@ -21,6 +21,7 @@ REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
 TIMES = ("s", "1/s")
+POPULATION = ("population", "small_population")
 ON_TARGET = "reference: state yours with "
 
 
@@ -84,7 +85,7 @@ def _reference() -> Any:
 
 
 def _values(estimator: str, library: Library, prior: Any, step: float, L: float, noise: float) -> NDArray:
-    if estimator == "population":
+    if estimator in POPULATION:
         from similitude.filter_config import MEASURED_STEER_SD, filter_config
 
         return filter_config(library, prior, L=L, noise_std=noise, input_scale_sd=MEASURED_STEER_SD)
@@ -138,7 +139,7 @@ def _stated(source: Source, library: Library, vehicle: Path | None, sample_time:
 
 def _constants(estimator: str, step: float) -> dict[str, Any]:
     """Design constants that do not depend on what is identified; those of the car's estimators."""
-    if estimator == "population":
+    if estimator in POPULATION:
         from similitude.filter_config import DESIGN
 
         return {

@@ -18,12 +18,13 @@ from similitude.errors import ModelError, SimilitudeError, UsageError
 from similitude.program.library import GENERATED, Library
 
 SHIPPED = {
-    "bicycle": ("population", "monitor", "paper", "band", "output_error", "robust"),
+    "bicycle": ("population", "small_population", "monitor", "paper", "band", "output_error", "robust"),
     "saturating_bicycle": ("population",),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {
     "population": ("population_filter", "population_filter"),
+    "small_population": ("small_population", "small_population_filter"),
     "monitor": ("monitor", "monitor"),
     "paper": ("paper", "paper_regression"),
     "band": ("band", "band_regression"),

@@ -56,9 +56,13 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         rows,
         Shared(
             {
-                at[DISTURBANCE]: sp.Integer(1),
-                at[OFFSET]: sp.Integer(1),
-                at[INPUT_SCALE]: S("steer"),
+                at[name]: weight
+                for name, weight in (
+                    (DISTURBANCE, sp.Integer(1)),
+                    (OFFSET, sp.Integer(1)),
+                    (INPUT_SCALE, S("steer")),
+                )
+                if name in at
             },
             {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
         ),
@@ -66,8 +70,8 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         noise={
             at[DISTURBANCE]: added,
             at[target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
-            at[BIAS]: S("bias_drift") * dt,
-        },
+        }
+        | ({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
     )
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
     return lines
@@ -117,7 +121,7 @@ def measurement(layout: Layout) -> list[Statement]:
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
     at = {name: i for i, name in enumerate(layout.coordinates)}
-    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion, strict=True)}
+    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion or layout.fast, strict=True)}
     H: dict[int, sp.Expr] = {}
     for name in layout.fast:
         slope = S("output_scale") * output.diff(S(name))
@@ -129,7 +133,8 @@ def measurement(layout: Layout) -> list[Statement]:
         slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian
         if slope != 0:
             H[at[u.name]] = slope
-    H[at[BIAS]] = sp.Integer(1)
+    if BIAS in at:
+        H[at[BIAS]] = sp.Integer(1)
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
     share = S("structure_share") * S("structure_share")
@@ -137,7 +142,7 @@ def measurement(layout: Layout) -> list[Statement]:
     timing = S("timing_error") * S("output_rate")
     lines: list[Statement] = [
         Assign("response", model_part, "output of the model"),
-        Assign("predicted", S("response") + S(BIAS)),
+        Assign("predicted", S("response") + (S(BIAS) if BIAS in at else 0)),
         Assign("output_rate", speed),
         Assign(
             "activity",

@@ -24,6 +24,16 @@ class Layout:
     """Order of the filter's states and the names of everything around them."""
 
     reduction: Reduction
+    errors: tuple[str, ...] = (INPUT_SCALE, OFFSET, BIAS)  # of the sensors, those that are carried
+    monitored: bool = True  # hand out what a monitor beside it needs
+    followed: bool = True  # sensitivities along states of their own, not along the estimate
+    fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
+
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """Coordinates that are kept between limits."""
+        own = tuple(u.name for u in self.reduction.unknowns if u.role != "consider")
+        return (*own, INPUT_SCALE) if INPUT_SCALE in self.errors else own
 
     @property
     def fast(self) -> tuple[str, ...]:
@@ -33,7 +43,7 @@ class Layout:
     @property
     def companion(self) -> tuple[str, ...]:
         """The same states along the input alone, where sensitivities are taken."""
-        return tuple(f"{name}_plain" for name in self.fast)
+        return tuple(f"{name}_plain" for name in self.fast) if self.followed else ()
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -43,7 +53,7 @@ class Layout:
     @property
     def coordinates(self) -> tuple[str, ...]:
         """All n filter states in the order of the covariance."""
-        return (*self.fast, DISTURBANCE, *self.unknowns, INPUT_SCALE, OFFSET, BIAS)
+        return (*self.fast, DISTURBANCE, *self.unknowns, *self.errors)
 
     @property
     def considered(self) -> tuple[str, ...]:
@@ -135,19 +145,18 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         layout.prior.field("-", "prior covariance of the unknowns' coordinates, upper triangle"),
         Field("prior_information", "-", f"1/prior variance of ln {t}"),
         *limits,
-        Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
-        Field("input_scale_low", "-", f"least scale of {i.name}"),
-        Field("input_scale_high", "-", f"greatest scale of {i.name}"),
-        Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
-        Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}"),
+        *_error_config(layout),
         *(Field(f"{name}_sd", "-", "sd after a restart") for name in layout.fast),
         Field("noise_variance", f"({o.unit})^2", f"white noise of {o.name} a sample"),
         Field("drift", "1/s", f"diffusion of ln {t} while it is observed"),
         Field("idle_drift", "1/s", f"diffusion of ln {t} while nothing is heard of it"),
         Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
-        Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias"),
+        *_if(BIAS in layout.errors, Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias")),
         Field("timing_error", "s", "timing error between input and output"),
-        Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        *_if(
+            layout.followed,
+            Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        ),
         Field("structure_share", "-", "structural error as a share of the output's activity"),
         Field("structure_time", "s", "correlation time of the structural error"),
         Field("activity_rate", "1/s", "averaging rate of the output's activity"),
@@ -182,6 +191,38 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
     )
 
 
+def _if(carried: bool, *fields: Field) -> tuple[Field, ...]:
+    return fields if carried else ()
+
+
+def _error_config(layout: Layout) -> tuple[Field, ...]:
+    """What the filter is told of the sensor errors that it carries."""
+    i, o = layout.input, layout.output
+    return (
+        *_if(
+            INPUT_SCALE in layout.errors,
+            Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
+            Field("input_scale_low", "-", f"least scale of {i.name}"),
+            Field("input_scale_high", "-", f"greatest scale of {i.name}"),
+        ),
+        *_if(
+            OFFSET in layout.errors,
+            Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
+        ),
+        *_if(BIAS in layout.errors, Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}")),
+    )
+
+
+def _error_states(layout: Layout) -> tuple[Field, ...]:
+    i, o = layout.input, layout.output
+    known = {
+        INPUT_SCALE: Field(INPUT_SCALE, "-", f"{i.name} that acts over {i.name} measured"),
+        OFFSET: Field(OFFSET, i.unit, f"offset of {i.name}"),
+        BIAS: Field(BIAS, o.unit, f"bias of {o.name}"),
+    }
+    return tuple(known[name] for name in layout.errors)
+
+
 def _validity_unit(layout: Layout) -> str:
     validity = layout.reduction.groups.model.validity
     return validity[1].unit if validity else "-"
@@ -195,9 +236,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
-        Field(INPUT_SCALE, "-", f"{i.name} that acts over {i.name} measured"),
-        Field(OFFSET, i.unit, f"offset of {i.name}"),
-        Field(BIAS, o.unit, f"bias of {o.name}"),
+        *_error_states(layout),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
         Field("noise_scale", "-", "noise variance against nominal"),
         Field("disturbance_scale", "-", "disturbance variance against nominal"),
@@ -253,6 +292,8 @@ def output_fields(layout: Layout) -> tuple[Field, ...]:
 def monitored_fields(layout: Layout) -> tuple[Field, ...]:
     """What a step hands out besides, for a monitor that follows the same drive with the unknowns held."""
     i, o = layout.input, layout.output
+    if not layout.monitored:
+        return ()
     return (
         *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.reduction.unknowns[1:]),
         Field("offset_now", i.unit, f"offset of {i.name}"),
