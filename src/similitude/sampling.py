@@ -24,6 +24,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from similitude.elementary import spelt_functions
 from similitude.matrix_function import MatrixFunction
 from similitude.program.ir import Assign, shared
 from similitude.saturation import arguments, spelt
@@ -113,11 +114,13 @@ def _shared(
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
+    functions, named = spelt_functions(named)
     loads = arguments(named)
     named, reciprocals = _reciprocals(named | loads)
     loads = {name: named.pop(name) for name in loads}
     saturated, named = spelt(named, loads)
     return [
+        *functions,
         *reciprocals,
         *shared("s", loads, dict.fromkeys(loads, "force over its limit [-]")),
         *saturated,

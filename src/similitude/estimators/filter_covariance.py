@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
@@ -115,6 +116,7 @@ def measurement(layout: Layout) -> list[Statement]:
     """Predict the output and, where the sample is usable, update everything by the innovation."""
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
+    states |= {layout.input.symbol: S("u_end")}
     output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
     at = {name: i for i, name in enumerate(layout.coordinates)}
     plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion, strict=True)}
@@ -129,6 +131,11 @@ def measurement(layout: Layout) -> list[Statement]:
         slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian
         if slope != 0:
             H[at[u.name]] = slope
+    direct, slopes = _feedthrough(layout, output)
+    H |= {at[name]: slope for name, slope in slopes.items()}
+    functions, spelled = spelt_functions({"": output, **{f"{i}": e for i, e in H.items()}}, "out")
+    output = spelled.pop("")
+    H = {i: spelled[f"{i}"] for i in H}
     H[at[BIAS]] = sp.Integer(1)
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
@@ -136,6 +143,8 @@ def measurement(layout: Layout) -> list[Statement]:
     dependent = sp.Max(1, 2 * S("structure_time") * S("inv_dt"))
     timing = S("timing_error") * S("output_rate")
     lines: list[Statement] = [
+        *direct,
+        *functions,
         Assign("response", model_part, "output of the model"),
         Assign("predicted", S("response") + S(BIAS)),
         Assign("output_rate", speed),
@@ -153,6 +162,17 @@ def measurement(layout: Layout) -> list[Statement]:
     lines.append(When(S("usable") > sp.Rational(1, 2), tuple(_update(layout, H)), (), "measurement"))
     lines += _move(layout.reduction.unknowns[0], "move")
     return lines
+
+
+def _feedthrough(layout: Layout, output: sp.Expr) -> tuple[list[Assign], dict[str, sp.Expr]]:
+    """The input at the end of the step where the output shows it at once, and what follows for its errors."""
+    slope = S("output_scale") * output.diff(S("u_end"))
+    if slope == 0:
+        return [], {}
+    unit = layout.inverted(1 / layout.reduction.groups.scale[layout.input.name])
+    acting = S(INPUT_SCALE) * S("u_now")
+    line = Assign("u_end", (acting + S(OFFSET) + S(DISTURBANCE)) * unit, "input at the end of the step [-]")
+    return [line], {DISTURBANCE: slope * unit, OFFSET: slope * unit, INPUT_SCALE: slope * unit * acting}
 
 
 def _validity(layout: Layout, states: Mapping[sp.Symbol, sp.Symbol]) -> list[Statement]:
