@@ -130,10 +130,31 @@ def reduce(
     Brennan & Alleyne 2004, section 4.
     """
     names = tuple(one.name for one in reduction.unknowns)
+    values = {**scales, **dict(zip(names, map(float, prior.of(names).mean), strict=True))}
+    return rank(reduction, prior, output_sensitivity(reduction, values, u, step) / noise, roles=roles)
+
+
+def rank(
+    reduction: Reduction, prior: Prior, slopes: NDArray, *, roles: Mapping[str, str] | None = None
+) -> Reduced:
+    """The same from slopes of the output that are at hand.
+
+    Parameters
+    ----------
+    reduction, prior, roles : as `reduce` takes them.
+    slopes : (n, unknowns) d output / d coordinate over the noise [-].
+
+    Returns
+    -------
+    Reduced
+
+    Raises
+    ------
+    UsageError    as `reduce`.
+    """
+    names = tuple(one.name for one in reduction.unknowns)
     own = prior.of(names)
-    values = {**scales, **dict(zip(names, map(float, own.mean), strict=True))}
-    s = output_sensitivity(reduction, values, u, step) / noise
-    M, S = s.T @ s, own.covariance
+    M, S = slopes.T @ slopes, own.covariance
     after = np.linalg.inv(M + np.linalg.inv(S))
     move = np.sqrt(np.diag(M) * np.diag(S))
     chosen = _roles(names, move, np.sqrt(np.diag(after) / np.diag(S)), roles or {})

@@ -326,7 +326,7 @@ def _in_nominal_units(
 
 def _known_validity(model: Model, knowledge: Knowledge):
     """The validity with exact parameters as numbers; none where it holds an uncertain one."""
-    if model.validity is None:
+    if model.validity is None or model.validity[1].value is None:
         return None
     exact = {sp.Symbol(n, real=True): v for n, v in knowledge.values.items() if n not in knowledge.uncertain}
     formula = model.validity[0]
