@@ -34,6 +34,7 @@ _ROOMS = {
     "read_log": "log",
     "read_population": "populations.population",
     "reduce": "directions",
+    "rehearse": "bespoke.rehearsal",
     "relate": "populations.relations",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",

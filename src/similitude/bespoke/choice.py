@@ -98,6 +98,9 @@ def _against(
         return "the model is not linear"
     if model.signals:
         return f"{', '.join(model.signals)} may change from sample to sample"
+    learnt = [one.name for one in reduced.roles if one.role == "estimate"]
+    if learnt:
+        return f"the drive tells of {', '.join(learnt)} too, and a regression has one unknown"
     if frozen > FROZEN * reduced.frozen_sd:
         return (
             f"freezing the other unknowns would bias {prior.names[0]} by {100 * frozen:.2g} %, "

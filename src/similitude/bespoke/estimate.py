@@ -7,15 +7,14 @@ with every number.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.bespoke.words import estimate_text
 from similitude.status import NAMES
 
-if TYPE_CHECKING:
-    from similitude.bespoke.estimator import Estimator
 
 WIDE = 1.959964  # sds of a 95 % interval
 NARROW, TOLD = 0.15, 0.5  # sd of the logarithm, and its share of the prior's, up to which it is identified
@@ -68,13 +67,11 @@ class Estimate:
     state: NDArray[np.float64]
 
     def __str__(self) -> str:
-        from similitude.bespoke.words import estimate_text
-
         return estimate_text(self)
 
 
 def estimate_of(
-    estimator: Estimator,
+    estimator: Any,
     t: NDArray,
     outputs: NDArray,
     status: NDArray,
@@ -118,7 +115,7 @@ def estimate_of(
     )
 
 
-def _last(estimator: Estimator, state: NDArray, value: float, sd: float) -> tuple[NDArray, NDArray]:
+def _last(estimator: Any, state: NDArray, value: float, sd: float) -> tuple[NDArray, NDArray]:
     """Unknowns (q,) in the estimator's order and covariance (q, q) of their logarithms."""
     prior, library = estimator.prior, estimator.library
     if estimator.choice.kind == "regression":
@@ -138,7 +135,7 @@ def _last(estimator: Estimator, state: NDArray, value: float, sd: float) -> tupl
     return mean, full[np.ix_(at, at)]
 
 
-def _unknowns(estimator: Estimator, mean: NDArray, covariance: NDArray) -> dict[str, Value]:
+def _unknowns(estimator: Any, mean: NDArray, covariance: NDArray) -> dict[str, Value]:
     prior, units = estimator.prior, {u.name: u.unit for u in estimator.reduced.reduction.unknowns}
     sds = np.sqrt(np.maximum(np.diag(covariance), 0.0))
     return {
@@ -146,7 +143,7 @@ def _unknowns(estimator: Estimator, mean: NDArray, covariance: NDArray) -> dict[
     }
 
 
-def _parameters(estimator: Estimator, mean: NDArray, covariance: NDArray) -> dict[str, Value]:
+def _parameters(estimator: Any, mean: NDArray, covariance: NDArray) -> dict[str, Value]:
     fewest, model = estimator.fewest, estimator.model
     order = [estimator.prior.names.index(n) for n in fewest.prior.names]
     values, spread = fewest.parameters(mean[order], covariance[np.ix_(order, order)])
@@ -164,7 +161,7 @@ def _value(value: float, sd: float, prior_sd: float, unit: str) -> Value:
     return Value(float(value), ends[0], ends[1], float(sd), float(prior_sd), unit)
 
 
-def _verdict(estimator: Estimator, status: NDArray, sd: float, excess: float) -> tuple[str, str]:
+def _verdict(estimator: Any, status: NDArray, sd: float, excess: float) -> tuple[str, str]:
     names = np.array(NAMES)[status]
     rejected = float(np.mean(np.isin(names, ("no_measurement", "bad_sample", "restarted"))))
     name, before = estimator.unknowns[0], float(estimator.prior.std[0])

@@ -29,6 +29,7 @@ from similitude.bespoke.plant import respond
 from similitude.bespoke.regression_numbers import regression_numbers
 from similitude.bespoke.stated import doubts_of, drive_of, number_of, numbers_of
 from similitude.bespoke.trial import Trial, try_drive
+from similitude.bespoke.words import estimator_text
 from similitude.dimensional.base_advice import advise_base
 from similitude.directions import Reduced, rank
 from similitude.embedded.configuration import Numbers
@@ -169,8 +170,6 @@ class Estimator:
         return Library(self.library.name, self.library.layout, None)
 
     def __str__(self) -> str:
-        from similitude.bespoke.words import estimator_text
-
         return estimator_text(self)
 
 
@@ -254,7 +253,8 @@ def _made(
     doubts: Doubts,
 ) -> Estimator:
     regression = choice.kind == "regression"
-    program = (sampled_regression if regression else population_filter)(reduced.reduction)
+    reduction = reduced.reduction
+    program = sampled_regression(reduction) if regression else population_filter(reduction, warming=True)
     c, twin = print_c(program), print_python(program)
     layout: Any = types.ModuleType(program.name)
     exec(compile(twin, f"{program.name}.py", "exec"), layout.__dict__)

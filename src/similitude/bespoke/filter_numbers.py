@@ -24,6 +24,8 @@ SAMPLE = 0.01  # s, and time a yaw rate keeps to itself [s]: what DESIGN was fou
 KEPT = 0.3
 LIMIT_SD = 4.0  # of every unknown: beyond it the population does not hold
 ROOM = 20.0  # times the greatest value of the trial: what is believed of input and output
+HEAT = 300.0  # noise variance the first sample is weighed with, over its own
+WARM = 0.08  # of the planned drive: how long that takes to fall by e
 BY_SAMPLE = ("noise_adapt", "surprise_rate", "gap", "seldom")
 BY_OUTPUT = ("activity_rate", "structure_time", "disturbance_rate", "disturbance_adapt", "excitation_rate",
              "companion_rate")  # fmt: skip
@@ -79,6 +81,7 @@ def filter_numbers(
     for k, q in enumerate(model.states):
         spread = float(np.ptp(trial.states[:, k])) / 2 / fewest.units[f"{q.name}_unit"]
         values[f"{q.name}_star_sd"] = spread or 1e-3
+    values |= {"heat_start": HEAT, "heat_rate": 1 / (WARM * trial.step * len(trial.u))}
     values |= {"signal_limit": ROOM * max([0.05, *fewest.signals.values()]), "validity_rate": 2 / (KEPT * by_output)}
     if model.validity is not None:
         values["validity_limit"] = _limit_of(model)

@@ -5,14 +5,11 @@ Invariant: every number that was taken and not stated is shown with the word "ta
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from similitude.bespoke.estimate import Estimate, Value
-    from similitude.bespoke.estimator import Estimator
+from typing import Any
 
 
-def estimator_text(estimator: Estimator) -> str:
+
+def estimator_text(estimator: Any) -> str:
     """What is unknown, what is made of it and why, and what was taken."""
     fewest, choice = estimator.fewest, estimator.choice
     unknowns = {u.name: u for u in estimator.reduced.reduction.unknowns}
@@ -33,7 +30,7 @@ def estimator_text(estimator: Estimator) -> str:
     return "\n".join(lines)
 
 
-def estimate_text(estimate: Estimate) -> str:
+def estimate_text(estimate: Any) -> str:
     """Verdict, unknowns and parameters with intervals."""
     lines = [
         f"{estimate.verdict}: {estimate.reason}",
@@ -45,7 +42,7 @@ def estimate_text(estimate: Estimate) -> str:
     return "\n".join(lines)
 
 
-def _line(name: str, one: Value) -> str:
+def _line(name: str, one: Any) -> str:
     unit = "" if one.unit in ("-", "1") else f" {one.unit}"
     return (
         f"  {name:<14} {one.value:.4g}{unit}  95 % {one.low:.4g} to {one.high:.4g}"

@@ -202,6 +202,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("innovation_variance", total),
         Assign("inv_spread", 1 / S("innovation_variance")),
         Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
+        *_warm(layout),
         When(
             S("nis") > S("outlier_ratio"),
             (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
@@ -258,6 +259,17 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     lines += _state_update(layout, gains)
     lines += _adapt(layout)
     return lines
+
+
+def _warm(layout: Layout) -> list[Statement]:
+    """Let the first samples count for less."""
+    if not layout.warming:
+        return []
+    wide = S("innovation_variance") + S("heat") * S("noise")
+    return [
+        Assign("inv_spread", 1 / wide, "the first samples count for less"),
+        Assign("heat", S("heat") * (1 - _share("heat_rate"))),
+    ]
 
 
 def _jump() -> list[Assign]:

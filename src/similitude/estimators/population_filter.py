@@ -31,7 +31,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
+    "above above_move away cold bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
     "inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale lost nis noise noise_change "
     "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_end u_plain "
     "unseen validity_now validity_square validity_then w_nominal".split()
@@ -43,12 +43,13 @@ def S(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
-def population_filter(reduction: Reduction) -> Program:
+def population_filter(reduction: Reduction, *, warming: bool = False) -> Program:
     """Derive the filter's step program from a reduced model.
 
     Parameters
     ----------
     reduction : Reduction    one input, one output, any number of states and unknowns.
+    warming : whether the first samples count for less, falling off over a configured time.
 
     Returns
     -------
@@ -58,7 +59,7 @@ def population_filter(reduction: Reduction) -> Program:
     ----------
     Brennan & Alleyne 2004, section 5, for the idea; the filter is this project's own.
     """
-    layout = Layout(reduction)
+    layout = Layout(reduction, warming)
     model = reduction.groups.model
     taken = sorted(WORKING.intersection(layout.unknowns))
     if taken:
@@ -137,6 +138,8 @@ def _init(layout: Layout) -> list[Statement]:
         "started",
     ]
     names += [f"last_{q.name}" for q in layout.signals]
+    if layout.warming:
+        lines.append(Assign("heat", S("heat_start")))
     lines.append(
         Assign(
             P.target(at[DISTURBANCE], at[DISTURBANCE]),
