@@ -17,7 +17,7 @@ PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
-    "saturation model_text_faults model_text",
+    "saturation elementary model_text_faults model_text",
     "homogeneity model_formulas",
     "model dimensional groups population reduction",
     "symmetry",
@@ -43,6 +43,7 @@ FLOW = (
     "simulate systems generate",
     "simulation",
     "embedded",
+    "bespoke",
     "paper",
     "cli_complaint cli_usage",
     "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",

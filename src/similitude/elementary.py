@@ -105,7 +105,9 @@ def _sign(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
     x = _put(lines, f"{name}_x", node.args[0])
     if isinstance(node, sp.Abs):
         return _put(lines, name, _where(x < 0, -x, x), "size")
-    return _put(lines, name, _where(x < 0, sp.Integer(-1), _where(x > 0, sp.Integer(1), sp.Integer(0))), "sign")
+    return _put(
+        lines, name, _where(x < 0, sp.Integer(-1), _where(x > 0, sp.Integer(1), sp.Integer(0))), "sign"
+    )
 
 
 def _edge(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
@@ -120,7 +122,9 @@ def _power(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
     base, exponent = node.args
     doubled = 2 * exponent
     if not doubled.is_Integer:
-        logarithm = _log(sp.log(sp.Symbol(f"{name}_b", real=True), evaluate=False), f"{name}l", _named(lines, name, base))
+        logarithm = _log(
+            sp.log(sp.Symbol(f"{name}_b", real=True), evaluate=False), f"{name}l", _named(lines, name, base)
+        )
         return sp.exp(exponent * logarithm)
     x = _put(lines, f"{name}_x", base)
     root = _root(x, name, lines)
@@ -212,6 +216,8 @@ def _atan(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
         root = _root(square, f"{name}_r{k}", lines)
         y = _put(lines, f"{name}_y{k + 1}", y / (1 + root))
     yy = _put(lines, f"{name}_yy", y * y)
-    inner = _put(lines, f"{name}_i", 4 * y * _series(yy, [sp.Integer(-1) ** k / (2 * k + 1) for k in range(8)]))
+    inner = _put(
+        lines, f"{name}_i", 4 * y * _series(yy, [sp.Integer(-1) ** k / (2 * k + 1) for k in range(8)])
+    )
     whole = _put(lines, f"{name}_w", _where(size > 1, _number(sp.pi / 2) - inner, inner))
     return _put(lines, name, _where(x < 0, -whole, whole), "angle of a tangent")

@@ -20,7 +20,9 @@ from similitude.population import Prior
 from similitude.sampled_linearity import LINEAR
 
 KINDS = ("population", "regression")
-FROZEN = 0.25  # of what freezing costs in bias against the sd that the drive reaches: a thirtieth of the error
+FROZEN = (
+    0.25  # of what freezing costs in bias against the sd that the drive reaches: a thirtieth of the error
+)
 READ = 'docs/estimator.md, "Filter or regression"'
 
 

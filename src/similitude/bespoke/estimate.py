@@ -94,7 +94,9 @@ def estimate_of(
     used = innovation != 0
     late = used & (np.arange(len(t)) > len(t) // 5)
     consistency = float(np.mean((innovation[late] / spread[late]) ** 2)) if late.any() else float("nan")
-    excess = float(state[library.index("state", "noise_scale" if estimator.choice.kind == "population" else "excess")])
+    excess = float(
+        state[library.index("state", "noise_scale" if estimator.choice.kind == "population" else "excess")]
+    )
     verdict, reason = _verdict(estimator, status, float(np.sqrt(covariance[0, 0])), excess)
     return Estimate(
         estimator.unknowns[0],
@@ -138,9 +140,7 @@ def _last(estimator: Any, state: NDArray, value: float, sd: float) -> tuple[NDAr
 def _unknowns(estimator: Any, mean: NDArray, covariance: NDArray) -> dict[str, Value]:
     prior, units = estimator.prior, {u.name: u.unit for u in estimator.reduced.reduction.unknowns}
     sds = np.sqrt(np.maximum(np.diag(covariance), 0.0))
-    return {
-        n: _value(mean[i], sds[i], prior.std[i], units[n]) for i, n in enumerate(prior.names)
-    }
+    return {n: _value(mean[i], sds[i], prior.std[i], units[n]) for i, n in enumerate(prior.names)}
 
 
 def _parameters(estimator: Any, mean: NDArray, covariance: NDArray) -> dict[str, Value]:

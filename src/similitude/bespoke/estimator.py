@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from similitude.bespoke.base_choice import choose_base
 from similitude.bespoke.choice import Choice, choose
 from similitude.bespoke.estimate import Estimate, estimate_of
 from similitude.bespoke.fewest_unknowns import FewestUnknowns, fewest_unknowns
@@ -29,9 +30,9 @@ from similitude.bespoke.plant import respond
 from similitude.bespoke.regression_numbers import regression_numbers
 from similitude.bespoke.stated import doubts_of, drive_of, number_of, numbers_of
 from similitude.bespoke.trial import Trial, try_drive
+from similitude.bespoke.untold import rank_told
 from similitude.bespoke.words import estimator_text
-from similitude.dimensional.base_advice import advise_base
-from similitude.directions import Reduced, rank
+from similitude.directions import Reduced
 from similitude.embedded.configuration import Numbers
 from similitude.embedded.folder import Export, export_source
 from similitude.embedded.system import Source
@@ -226,17 +227,19 @@ def make_estimator(
     parts = system if isinstance(system, System) else None
     model = one_channel(parts.model if parts else system, input=input, output=output)
     own = parts.numbers() if parts else {}
-    base = tuple(base or (parts.base if parts else advise_base(model).best.base))
     nominal = numbers_of(model, "signals", signals, wanted=model.signals, own=own)
     begun = numbers_of(model, "start", start, wanted=(), own={})
     seconds = number_of("step", step, "s")
     u = drive_of(drive, model)
     told = doubts_of(model, noise, doubts)
     knowledge = gather_knowledge(model, values=own, prior=prior, population=population)
+    exact = [n for n in knowledge.names if n not in knowledge.uncertain]
+    model, base, added = choose_base(model, exact, base=base or (parts.base if parts else None))
+    knowledge = knowledge.measuring(added)
     meanings = dict(parts.meanings) if parts else {}
     fewest = fewest_unknowns(model, base, knowledge, signals=nominal, start=begun, meanings=meanings)
     trial = try_drive(model, fewest, u, seconds, start=begun)
-    reduced = rank(fewest.reduction, fewest.prior, trial.slopes / told.noise, roles=roles)
+    reduced = rank_told(fewest.reduction, fewest.prior, trial.slopes / told.noise, roles=roles)
     ordered = fewest.prior.of(tuple(one.name for one in reduced.reduction.unknowns))
     choice = choose(model, fewest, reduced, ordered, trial, kind=kind)
     return _made(model, fewest, reduced, choice, ordered, trial, begun, told)

@@ -126,7 +126,9 @@ def fewest_unknowns(
     seen = [i for i in range(len(kept)) if i not in held]
     if not seen:
         raise _nothing_seen(model, knowledge)
-    renamed = {_symbol(rows[kept[i]].name): _constant(numbers, f"{rows[kept[i]].name}_held", mean[i]) for i in held}
+    renamed = {
+        _symbol(rows[kept[i]].name): _constant(numbers, f"{rows[kept[i]].name}_held", mean[i]) for i in held
+    }
     unknowns = []
     for i in seen:
         row = rows[kept[i]]
@@ -232,7 +234,9 @@ def _expressions(
             level /= float(np.prod([at[k] ** float(e) for k, e in powers.items()]))
             if level != 1.0:
                 bare = _constant(numbers, f"{row.name}_{'level' if powers else 'known'}", level) * bare
-        moving = sp.Mul(*(_symbol(n) ** sp.Rational(p.numerator, p.denominator) for n, p in row.signals.items()))
+        moving = sp.Mul(
+            *(_symbol(n) ** sp.Rational(p.numerator, p.denominator) for n, p in row.signals.items())
+        )
         result[row.name.removesuffix("_steady")] = int(row.sign) * bare * moving
     return result
 
@@ -342,7 +346,9 @@ def _unit_text(groups: Groups, quantities: Mapping[str, Quantity], name: str) ->
     own = model.time_unit if name == "time_unit" else quantities[plain].unit
     scale = groups.time_scale if name == "time_unit" else groups.scale[plain]
     powers = sp.sympify(scale).as_powers_dict()
-    more = [f"({model.quantity(n).unit})^{-powers[_symbol(n)]}" for n in model.signals if _symbol(n) in powers]
+    more = [
+        f"({model.quantity(n).unit})^{-powers[_symbol(n)]}" for n in model.signals if _symbol(n) in powers
+    ]
     return " ".join([f"({own})", *more]) if more else own
 
 
@@ -353,7 +359,9 @@ def _unit(model: Model, signals: Mapping[str, Fraction]) -> str:
 
 
 def _formula(powers: Sequence[float], names: Sequence[str]) -> str:
-    parts = [(n, Fraction(p).limit_denominator(60)) for n, p in zip(names, powers, strict=True) if abs(p) > 1e-12]
+    parts = [
+        (n, Fraction(p).limit_denominator(60)) for n, p in zip(names, powers, strict=True) if abs(p) > 1e-12
+    ]
     over = [n if p == 1 else f"{n}^{p if p.denominator == 1 else f'({p})'}" for n, p in parts if p > 0]
     under = [n if p == -1 else f"{n}^{-p if p.denominator == 1 else f'({-p})'}" for n, p in parts if p < 0]
     text = " ".join(over) or "1"

@@ -25,7 +25,7 @@ KEPT = 0.3
 LIMIT_SD = 4.0  # of every unknown: beyond it the population does not hold
 ROOM = 20.0  # times the greatest value of the trial: what is believed of input and output
 HEAT = 300.0  # noise variance the first sample is weighed with, over its own
-WARM = 0.08  # of the planned drive: how long that takes to fall by e
+WARM = 0.1  # of the planned drive: how long that takes to fall by e
 BY_SAMPLE = ("noise_adapt", "surprise_rate", "gap", "seldom")
 BY_OUTPUT = ("activity_rate", "structure_time", "disturbance_rate", "disturbance_adapt", "excitation_rate",
              "companion_rate")  # fmt: skip
@@ -82,7 +82,10 @@ def filter_numbers(
         spread = float(np.ptp(trial.states[:, k])) / 2 / fewest.units[f"{q.name}_unit"]
         values[f"{q.name}_star_sd"] = spread or 1e-3
     values |= {"heat_start": HEAT, "heat_rate": 1 / (WARM * trial.step * len(trial.u))}
-    values |= {"signal_limit": ROOM * max([0.05, *fewest.signals.values()]), "validity_rate": 2 / (KEPT * by_output)}
+    values |= {
+        "signal_limit": ROOM * max([0.05, *fewest.signals.values()]),
+        "validity_rate": 2 / (KEPT * by_output),
+    }
     if model.validity is not None:
         values["validity_limit"] = _limit_of(model)
     else:
@@ -138,7 +141,8 @@ def _sensor_values(told: Mapping[str, float], swing: float, trial: Trial) -> dic
         "jump_drift": 300 * drift,
         "excitation_ratio": 1e-4,
         "input_limit": ROOM * float(np.abs(trial.u).max()),
-        "output_limit": ROOM * (float(np.abs(trial.output).max()) + 5 * told["noise"] + 5 * told["output_bias"]),
+        "output_limit": ROOM
+        * (float(np.abs(trial.output).max()) + 5 * told["noise"] + 5 * told["output_bias"]),
     }
 
 

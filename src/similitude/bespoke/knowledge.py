@@ -57,6 +57,21 @@ class Knowledge:
         """Median of each parameter [SI]."""
         return dict(zip(self.names, map(float, self.signs * np.exp(self.mean)), strict=True))
 
+    def measuring(self, names: Sequence[str]) -> Knowledge:
+        """The same with parameters that only measure: 1 SI unit each, exact."""
+        if not names:
+            return self
+        p, more = len(self.names), len(names)
+        covariance = np.zeros((p + more, p + more))
+        covariance[:p, :p] = self.covariance
+        return Knowledge(
+            (*self.names, *names),
+            np.append(self.signs, np.ones(more)),
+            np.append(self.mean, np.zeros(more)),
+            covariance,
+            {**self.origins, **dict.fromkeys(names, "one SI unit, to measure by")},
+        )
+
     def draw(self, systems: int, *, seed: int) -> dict[str, NDArray[np.float64]]:
         """Parameters of systems drawn from it, name -> (systems,) [SI]."""
         rng = np.random.default_rng(seed)
@@ -129,7 +144,9 @@ def gather_knowledge(
     return Knowledge(names, signs, mean, covariance, origins)
 
 
-def _condition(mean: NDArray, covariance: NDArray, i: int, value: float, sd: float) -> tuple[NDArray, NDArray]:
+def _condition(
+    mean: NDArray, covariance: NDArray, i: int, value: float, sd: float
+) -> tuple[NDArray, NDArray]:
     """State ln p_i: what the table ties to it moves along; its own entry is what was stated."""
     if not np.isfinite(mean[i]) or covariance[i, i] <= EXACT**2:
         mean = mean.copy()
@@ -145,7 +162,11 @@ def _condition(mean: NDArray, covariance: NDArray, i: int, value: float, sd: flo
 
 def _stated(q: Quantity, text: str) -> tuple[float, float]:
     """Value [SI] and sd of its logarithm."""
-    found = re.fullmatch(r"\s*(.*?)\s*(?:±|\+-|\+/-)\s*([\d.eE+-]+)\s*%\s*", text) if isinstance(text, str) else None
+    found = (
+        re.fullmatch(r"\s*(.*?)\s*(?:±|\+-|\+/-)\s*([\d.eE+-]+)\s*%\s*", text)
+        if isinstance(text, str)
+        else None
+    )
     try:
         if found:
             value, _ = parse_quantity(found.group(1), expect=q.dimension)

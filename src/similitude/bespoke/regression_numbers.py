@@ -81,7 +81,9 @@ def sampler(fewest: FewestUnknowns, reduction: Reduction, step: float) -> Callab
         block = np.zeros((n + 2, n + 2))
         block[:n, :n], block[:n, n], block[n, n + 1] = A * T, B[:, 0] * T / into, 1.0
         E = expm(block)
-        return SampledModel(E[:n, :n], E[:n, n] - E[:n, n + 1], E[:n, n + 1], out * C[0], out * D[0, 0] / into)
+        return SampledModel(
+            E[:n, :n], E[:n, n] - E[:n, n + 1], E[:n, n + 1], out * C[0], out * D[0, 0] / into
+        )
 
     return sampled
 

@@ -57,7 +57,9 @@ class Rehearsal:
         return "\n".join(lines)
 
 
-def rehearse(estimator: Estimator, *, systems: int = 100, seed: int = 0, u: ArrayLike | None = None) -> Rehearsal:
+def rehearse(
+    estimator: Estimator, *, systems: int = 100, seed: int = 0, u: ArrayLike | None = None
+) -> Rehearsal:
     """Try an estimator on systems drawn from its prior.
 
     Parameters

@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Any
 
 
-
 def estimator_text(estimator: Any) -> str:
     """What is unknown, what is made of it and why, and what was taken."""
     fewest, choice = estimator.fewest, estimator.choice

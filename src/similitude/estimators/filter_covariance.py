@@ -344,13 +344,17 @@ def _adapt(layout: Layout) -> list[Statement]:
     at, change, settling = S("disturbance_scale"), S("noise_change"), S("settling")
     expected, seen = S("expected"), S("seen")
     unseen = sp.Max(expected - P[w, w], S("observed_least") * expected)
+    calm = 1 / (1 + S("heat")) if layout.warming else sp.Integer(1)  # wrong unknowns are no noise
     lines: list[Statement] = [
         Assign(
             "settling",
-            sp.Max(S("noise_adapt"), settling - dt * settling * settling),
+            sp.Max(S("noise_adapt"), settling - dt * settling * settling * calm),
             "1/time at first",
         ),
-        Assign("noise_change", sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1)),
+        Assign(
+            "noise_change",
+            sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1) * calm,
+        ),
         Assign("noise_scale", S("noise_scale") * _exponential(change)),
         *_limit("noise_scale"),
         Assign("expected", at * S("w_nominal"), "disturbance variance expected"),
@@ -358,7 +362,7 @@ def _adapt(layout: Layout) -> list[Statement]:
         Assign("unseen", unseen),
         Assign(
             "disturbance_scale",
-            at + _share("disturbance_adapt") * (seen - expected) * at / S("unseen"),
+            at + _share("disturbance_adapt") * (seen - expected) * at / S("unseen") * calm,
         ),
         *_limit("disturbance_scale"),
         When(

@@ -157,7 +157,9 @@ def _step(layout: ff.Layout, a: dict[str, tuple[sp.Symbol, ...]], n: int) -> lis
         Assign("estimate", prior * (1 + S("d")), unknown),
         Assign("innovation_variance", S("noise_variance") * S("excess")),
         Assign("determinant", S("R11") * S("R22") - S("R12") * S("R21")),
-        Assign("spread", sp.Piecewise((S("R22") / S("determinant"), wide), (1 / S("prior_information"), True))),
+        Assign(
+            "spread", sp.Piecewise((S("R22") / S("determinant"), wide), (1 / S("prior_information"), True))
+        ),
         Assign("own", sp.Min(S("spread") * S("excess"), 1 / S("prior_information"))),
         Assign("size", 1 + S("d")),
         Assign("bent", S("bend") * S("d"), "what the straight line leaves out"),
@@ -231,7 +233,9 @@ def _learn() -> list[Statement]:
         *(Assign(name, f * S(name) + inverse * more) for name, more in added.items()),
         Assign("information", f * S("information") + inverse * zeta * phi),
         Assign("count", sp.Min(S("count") + 1, 2000)),
-        Assign("excess", sp.Max(S("excess") + (sp.Min(residual, 16) - S("excess")) / (S("count") + 100), HALF)),
+        Assign(
+            "excess", sp.Max(S("excess") + (sp.Min(residual, 16) - S("excess")) / (S("count") + 100), HALF)
+        ),
         Assign("settled_det", S("R11") * S("R22") - S("R12") * S("R21")),
         When(S("settled_det") > 0, solved, (), "what is known of d and the bias together"),
         When(beyond, limit, (), "no system is so far off"),
