@@ -10,6 +10,7 @@ from similitude.errors import ModelError
 GIVEN = {
     "what": "the rate of 'S'", "text": "2 S", "at": 2, "name": "gama", "names": ["gamma"],
     "functions": ["exp"], "given": 3, "wanted": 1, "part": "I", "digits": 3000, "deepest": 100,
+    "power": 400, "highest": 100,
     "found": "S", "before": "2",
 }  # fmt: skip
 MAKERS = [

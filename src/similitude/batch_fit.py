@@ -40,6 +40,7 @@ CLIMBS = 8  # Gauss-Newton steps, at most
 POLISHES = 5
 FLAT = 0.02  # of the log posterior: a fifth of an sd
 SETTLED = 0.1  # sd
+NEAR = 1.0  # sd: left to the finer rows of a long log, which settle it
 LONGEST_STEP = 1.0  # of a coordinate: a factor e
 BLOCK = 2.0  # s: innovations of a wrong model stay alike for less
 NOTHING = 1e-12  # information too small to divide by
@@ -132,23 +133,23 @@ def fit_batch(frozen: FrozenFilter, start: NDArray[np.float64], scales: NDArray[
     for count in SCALE_STEPS:
         s, now = _fit_scales(rough, x, s, now, count)
         x, now = _climb(rough, x, s, now)
-    at, widened, left = _polish(rough, x, s, now)
+    at, widened, left = _polish(rough, x, s, now, NEAR if long else SETTLED)
     if long:
         s, now = _fit_scales(frozen, at.x, s, whiten(frozen, at.x, s), 1)
-        at, widened, left = _polish(frozen, at.x, s, now)
+        at, widened, left = _polish(frozen, at.x, s, now, SETTLED)
     return _result(at, frozen, s, widened, settled=left < 1.0)
 
 
 def _polish(
-    frozen: FrozenFilter, x: NDArray[np.float64], s: NDArray[np.float64], now: Whitened
+    frozen: FrozenFilter, x: NDArray[np.float64], s: NDArray[np.float64], now: Whitened, enough: float
 ) -> tuple[_Point, float, float]:
-    """Newton steps from x: where they end, by how much information is overstated, sd left to go."""
+    """Newton steps from x until less than enough sd are left: where, how overstated, and sd left."""
     low, high = coordinate_limits(frozen)
     at = _Point.of(frozen, x, s, now)
     for left_over in reversed(range(POLISHES)):
         step, widened = at.newton(frozen)
         left = float(np.sqrt(step @ (at.information(widened) + _precision(frozen)) @ step))
-        if left < SETTLED or not left_over:
+        if left < enough or not left_over:
             break
         at = _Point.of(frozen, np.clip(at.x + step, low, high), s, None)
     return at, widened, left

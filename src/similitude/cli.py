@@ -8,9 +8,10 @@ so that `--help` answers at once.
 from __future__ import annotations
 
 import contextlib
+import gc
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from importlib import import_module
 from pathlib import Path
 from threading import Thread
@@ -199,8 +200,10 @@ def _identify(
     car = read_vehicle(vehicle)
     page = Console(highlight=False)
     worst = RAN
-    with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar:
+    with ProgressBar(3 * len(logs), console=Console(stderr=True)) as bar, _uncollected():
         for log, directory in zip(logs, directories(logs, out), strict=True):
+            if log != logs[0]:
+                gc.collect()
             try:
                 record, run = _identify_one(log, car, how, reading, directory, bar, state)
             except SimilitudeError as error:
@@ -211,6 +214,17 @@ def _identify(
             with bar.aside():
                 _show(record, run, page, as_json=as_json)
     return worst
+
+
+@contextlib.contextmanager
+def _uncollected() -> Iterator[None]:
+    """Leave cycles alone: while libraries load and draw, to look for them takes long and finds nothing."""
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()  # what is there now stays to the end of the process
+        gc.enable()
 
 
 def _identify_one(log, car, how, reading, directory, bar, state: Path | None) -> tuple[dict, object]:

@@ -160,7 +160,7 @@ def _lag_sd(ready: Prepared) -> float:
     scan = ready.scan
     if scan.origin != "assumed":
         return max(scan.std, 1e-4)
-    chance = np.exp(-(scan.cost - scan.cost.min()))
+    chance = np.gradient(scan.lags) * np.exp(-(scan.cost - scan.cost.min()))  # far lags lie wider apart
     wide = float(np.sqrt(chance @ scan.lags**2 / chance.sum()))
     rise = float(scan.cost[1] - scan.cost[0])
     narrow = float(scan.lags[1]) / np.sqrt(2 * rise) if rise > 0 else np.inf

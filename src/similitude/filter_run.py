@@ -141,11 +141,11 @@ class Pass:
         counts[[codes[name] for name in ("no_measurement", "too_slow", "bad_sample")]] = False
         return counts[self.status]
 
-    def cost(self, rows: NDArray[np.bool_]) -> float:
-        """Negative log likelihood of the innovations of ``rows``, (n,) a part of `used` [-]."""
-        variance = self.output("innovation_variance")[rows]
-        innovation = self.output("innovation")[rows]
-        return float(0.5 * np.sum(np.log(variance) + innovation**2 / variance))
+    @property
+    def loss(self) -> NDArray[np.float64]:
+        """Negative log likelihood of each innovation, (n,) [-]; NaN where none was used."""
+        variance, innovation = self.output("innovation_variance"), self.output("innovation")
+        return np.where(self.used, 0.5 * (np.log(variance) + innovation**2 / variance), np.nan)
 
 
 def coordinates(library: Library) -> list[str]:

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -34,6 +35,8 @@ FUNCTIONS = {
 ARGUMENTS = {"atan2": 2, "min": None, "max": None}  # all others take one; None: any number
 DEEPEST = 100  # brackets, signs and powers inside one another
 MOST_DIGITS = 3000  # of a number that appears on the way
+LARGEST = sp.Float(sys.float_info.max)
+HIGHEST_POWER = 100  # of anything: physics stops long before, and algebra soon after
 
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|(?P<name>[^\W\d]\w*)"
@@ -58,7 +61,7 @@ def parse_expression(text: str, names: Iterable[str], *, what: str = "the expres
     Raises
     ------
     ModelError    not a formula of this grammar, a name that is not declared, a call of something that is
-                  no function, a division by zero, or a number too large to be meant.
+                  no function, a division by zero, or a number or a power too large to be meant.
     """
     if not isinstance(text, str):
         raise fault.no_text(what, text)
@@ -68,6 +71,9 @@ def parse_expression(text: str, names: Iterable[str], *, what: str = "the expres
     reader._expect_end()
     if result.has(sp.zoo, sp.nan, sp.oo, -sp.oo):
         raise fault.divides_by_zero(what, text)
+    powers = [one.exp for one in result.atoms(sp.Pow) if one.exp.is_Rational]
+    if any(abs(power) > HIGHEST_POWER for power in powers):
+        raise fault.too_high(what, text, max(powers, key=abs), HIGHEST_POWER)
     return result
 
 
@@ -213,6 +219,8 @@ class _Reader:
         return fault.cannot_go_on(*self.about, token.at, token.text, before)
 
     def _real(self, value: sp.Expr) -> sp.Expr:
+        if value.is_number and not value.is_Rational and _beyond_reals(value):
+            raise fault.beyond_reals(*self.about)
         if value.is_number and value.is_real is False and value.is_finite is not False:
             raise fault.not_real(*self.about, value)
         return value
@@ -221,6 +229,15 @@ class _Reader:
         if value.is_Rational and _digits(value) > MOST_DIGITS:
             raise fault.too_large(*self.about, MOST_DIGITS)
         return value
+
+
+def _beyond_reals(value: sp.Expr) -> bool:
+    """Whether a constant such as exp(exp(10)) is larger than any float64."""
+    try:
+        size = abs(value.evalf(15))
+        return bool(size.is_finite and size > LARGEST)
+    except OverflowError:
+        return True
 
 
 def _digits(value: sp.Expr) -> float:

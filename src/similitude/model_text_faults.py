@@ -97,6 +97,24 @@ def too_large(what: str, text: str, digits: int) -> ModelError:
     )
 
 
+def beyond_reals(what: str, text: str) -> ModelError:
+    """A constant no computer holds as a float64."""
+    return _fault(
+        f"{what}, {shown(text)}, holds a constant beyond 1.8e308",
+        "A function was given a number in place of a quantity over its scale.",
+        "'exp(x/x0)'",
+    )
+
+
+def too_high(what: str, text: str, power: object, highest: int) -> ModelError:
+    """A power that nobody means."""
+    return _fault(
+        f"{what}, {shown(text)}, raises to the power {power}; {highest} is the highest that is read",
+        "An exponent lost its decimal point, or an exponential was meant: exp(...).",
+        "'x**(3/2)'",
+    )
+
+
 def too_deep(what: str, text: str, deepest: int) -> ModelError:
     """Brackets inside brackets without end."""
     return _fault(

@@ -16,8 +16,10 @@ from similitude.filter_run import Setup, side_by_side
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
-LONGEST = 0.25  # s
 STEP = 0.01  # s
+NEAR = STEP * np.arange(5)  # s: the lags of measured angles, all of them tried
+FAR = np.array([0.07, 0.10, 0.13, 0.16, 0.19, 0.22, 0.25])  # s: a bowl of the cost is wider than their gaps
+LONGEST = 0.25  # s
 RATE = 50.0  # rows a second: a lag moves every row of a manoeuvre, so fewer tell as much
 DEPENDENT = 0.3  # s: innovations of a wrong model stay alike this long
 CONVINCING = 4.0  # log likelihood gained over no lag, in independent samples: odds of 50 to 1
@@ -62,12 +64,11 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     empty = np.empty(0)
     if vehicle.steer_lag is not None:
         return LagScan(empty, empty, vehicle.steer_lag.value, "vehicle file")
-    lags = np.arange(0.0, LONGEST + STEP / 2, STEP)
-    setup = setup.at_rate(RATE)
-    both = _costs(setup, np.concatenate([-np.array(EARLY), lags]))
-    ahead, cost = both[: len(EARLY)], both[len(EARLY) :]
+    both, costs = _scanned(setup.at_rate(RATE))
+    ahead, lags = costs[both < 0], both[both >= 0]
+    cost = costs[both >= 0]
     best, first = int(np.argmin(cost)), int(np.argmin(ahead))
-    early = EARLY[first] if cost[best] - ahead[first] > CONVINCING else 0.0
+    early = -float(both[first]) if cost[best] - ahead[first] > CONVINCING else 0.0
     cost = cost - cost[best]
     if cost[0] < CONVINCING:
         return LagScan(lags, cost, *_of_measured(lags, cost), early=early)
@@ -75,13 +76,31 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     return LagScan(lags, cost, chosen, "scanned", std, early)
 
 
-def _costs(setup: Setup, lags: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Costs of lags (k,), in units of independent samples."""
-    passes = side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run() for lag in lags])
-    alone = max(1.0, DEPENDENT / setup.usual_step)
+def _scanned(setup: Setup) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lags tried, early ones below zero, in order, and their costs in units of independent samples.
+
+    Far lags are first tried in wide steps; around the best of them each `STEP` is, as it is for near ones.
+    """
+    lags = np.concatenate([-np.array(EARLY[::-1]), NEAR, FAR])
+    losses = _losses(setup, lags)
+    late = lags >= 0
+    best = float(lags[late][np.argmin(_costs(losses, setup)[late])])
+    around = best + STEP * np.array([-2.0, -1.0, 1.0, 2.0])
+    new = around[(around > NEAR[-1] + STEP / 2) & (around < LONGEST)] if best >= NEAR[-1] else around[:0]
+    new = new[np.abs(new[:, None] - lags).min(axis=1, initial=LONGEST) > STEP / 2]
+    order = np.argsort(np.concatenate([lags, new]))
+    losses += _losses(setup, new)
+    return np.concatenate([lags, new])[order], _costs(losses, setup)[order]
+
+
+def _losses(setup: Setup, lags: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    return side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run().loss for lag in lags])
+
+
+def _costs(losses: list[NDArray[np.float64]], setup: Setup) -> NDArray[np.float64]:
     # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
-    shared = np.logical_and.reduce([p.used for p in passes])
-    return np.array([p.cost(shared) for p in passes]) / alone
+    shared = np.logical_and.reduce([np.isfinite(loss) for loss in losses])
+    return np.array([loss[shared].sum() for loss in losses]) / max(1.0, DEPENDENT / setup.usual_step)
 
 
 def _of_measured(lags: NDArray[np.float64], cost: NDArray[np.float64]) -> tuple[float, str, float]:

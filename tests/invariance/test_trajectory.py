@@ -35,3 +35,11 @@ def test_a_driven_one():
 def test_a_missing_value_is_named():
     with pytest.raises(ModelError, match="the value of k"):
         trajectory(SPRING, TIMES, {"m": 1, "F": 0})
+
+
+@pytest.mark.parametrize(
+    ("given", "said"), [(np.zeros(7), r"F is an array of shape \(7,\)"), (1j, "F is the complex")]
+)
+def test_a_signal_over_time_is_no_value(given, said):
+    with pytest.raises(ModelError, match=said):
+        trajectory(SPRING, TIMES, {"m": 1, "k": 4, "F": given})

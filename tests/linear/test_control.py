@@ -44,6 +44,8 @@ def test_a_transfer_function_becomes_a_model_with_units():
         (control.ss([[0.5]], [[1]], [[1]], [[0]], 0.1), "sampled every 0.1"),
         (control.ss([[-1.0]], [[1]], [[1]], [[0]]), "1 states, 1 inputs and 1 outputs; .* none, 1 and 1"),
         (control.tf([[[1.0], [1.0]]], [[[1.0, 1.0], [1.0, 2.0]]]), "2 inputs"),
+        (control.tf([1.0, 0.0, 0.0], [1.0, 1.0]), "numerator of order 2 over one of 1"),
+        (3, "is needed, not 3"),
     ],
 )
 def test_what_cannot_be_taken_is_refused(system, said):

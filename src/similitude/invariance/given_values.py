@@ -63,6 +63,23 @@ def read_values(
     return {name: values[name] for name in (*wanted, *optional) if name in values}
 
 
+def read_single(values: Mapping[str, object]) -> None:
+    """Refuse a signal over time where one real number is meant.
+
+    Raises
+    ------
+    ModelError    a value is an array, or complex.
+    """
+    for name, value in values.items():
+        if np.ndim(value) or np.iscomplexobj(value):
+            kind = f"an array of shape {np.shape(value)}" if np.ndim(value) else f"the complex number {value}"
+            raise _fault(
+                f"the value of {name} is {kind}; one real number is needed",
+                "A signal over time was given as a value; it goes in as a formula of t instead.",
+                f"trajectory(model, times, values, drive={{{name!r}: '0.1*sin(w*t)'}}, quantities=[...])",
+            )
+
+
 def _filled(model: Model, values: dict[str, object]) -> dict[str, object]:
     values = {q.name: q.value for q in model.quantities if q.value is not None} | values
     for name, formula in model.constraints.items():

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import sympy as sp
 
-from similitude.invariance.given_values import read_values
+from similitude.invariance.given_values import read_single, read_values
 from similitude.invariance.model_equations import equations
 from similitude.invariance.sensitivity_flow import Flow
 from similitude.invariance.time_response import driven_inputs
@@ -50,6 +50,7 @@ def trajectory(
     held = {s.name for e in (*rates, *outputs) for s in e.free_symbols}
     wanted = {n: m for n, m in (eq.measures | own).items() if n in held and n not in states}
     numbers = read_values(values, wanted, model=model, optional={**states, **own})
+    read_single(numbers)
     start = tuple(sp.Float(float(numbers.get(name, 0.0)), 17) for name in states)
     flow = Flow(
         tuple(q.symbol for q in model.states),

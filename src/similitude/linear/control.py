@@ -75,6 +75,12 @@ def from_control(
     ModelError    the system is sampled, has other numbers of signals, or states are missing.
     """
     control = _control()
+    if not isinstance(system, (control.StateSpace, control.TransferFunction)):
+        raise _fault(
+            f"a system of python-control is needed, not {system!r:.60}",
+            "Numbers alone are no system, and a FrequencyResponseData has no equations.",
+            "from_control(control.tf([1.0], [1.0, 2.0, 3.0]), inputs=[...], outputs=[...])",
+        )
     if system.isdtime(strict=True):
         raise _fault(
             f"the system is sampled every {system.dt}",
@@ -117,6 +123,12 @@ def _of_transfer_function(
             "from_control(control.ss(A, B, C, D), states=[...], inputs=[...], outputs=[...])",
         )
     above, below = (np.trim_zeros(np.array(c[0][0], dtype=float), "f") for c in (system.num, system.den))
+    if len(above) > len(below):
+        raise _fault(
+            f"the transfer function has a numerator of order {len(above) - 1} over one of {len(below) - 1}",
+            "It differentiates its input, which no model of states does; fast poles were left out.",
+            "from_control(control.tf([1.0, 0.0], [0.01, 1.0]), inputs=[...], outputs=[...])",
+        )
     above, below, n = above / below[0], below / below[0], len(below) - 1
     second = measure_of(parse_unit("s"), angle=False)
     gain = outputs[0].measure() / inputs[0].measure()
