@@ -1,6 +1,6 @@
 """sin, cos, exp, ln, roots and their kin as straight-line statements of a step: no loop, no libm.
 
-    root     two steps of Newton behind four of Householder's start, after x was brought into 1/2 .. 2
+    root     five steps of Newton, after x was brought between 1/4 and 4 by powers of four
     exp      x = sum of halved steps + r, |r| <= 1/4; r by its series to eighth order
     ln       x brought into 3/4 .. 3/2 by powers of two; ln x = 2 artanh((x - 1)/(x + 1)) by its series
     sin, cos x brought into -pi .. pi by whole turns (up to 32), folded into -pi/2 .. pi/2, series
@@ -26,6 +26,7 @@ GREATEST = sp.Float(1e12)
 EXPONENT = 40  # |x| of exp x at most
 KINDS = (sp.sin, sp.cos, sp.tan, sp.exp, sp.log, sp.tanh, sp.sinh, sp.cosh, sp.Abs, sp.sign, sp.atan)
 Lines = list[Assign]
+_NOTHING = sp.Integer(0)
 
 
 def spelt_functions(
@@ -145,8 +146,8 @@ def _root(x: sp.Symbol, name: str, lines: Lines) -> sp.Symbol:
         s = _put(lines, f"{name}_s{k}",
                  s * _where(y >= up, sp.Integer(2) ** (bits // 2),
                             _where(y <= down, sp.Rational(1, 2 ** (bits // 2)), sp.Integer(1))))  # fmt: skip
-        y = _put(lines, f"{name}_y{k + 1}",
-                 y * _where(y >= up, sp.Rational(1, 2**bits), _where(y <= down, up, sp.Integer(1))))  # fmt: skip
+        less = _where(y <= down, up, sp.Integer(1))
+        y = _put(lines, f"{name}_y{k + 1}", y * _where(y >= up, down, less))
     g = _put(lines, f"{name}_g0", (1 + y) / 2)
     for k in range(5):
         g = _put(lines, f"{name}_g{k + 1}", (g + y / g) / 2)
@@ -159,8 +160,8 @@ def _exp(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
     for k, part in enumerate((32, 16, 8, 4, 2, 1, sp.Rational(1, 2), sp.Rational(1, 4))):
         more, less = (_number(sp.exp(sign * part)) for sign in (1, -1))
         e = _put(lines, f"{name}_e{k}", e * _where(x >= part, more, _where(x <= -part, less, sp.Integer(1))))
-        x = _put(lines, f"{name}_x{k + 1}",
-                 x - _where(x >= part, sp.Float(part), _where(x <= -part, -sp.Float(part), sp.Integer(0))))  # fmt: skip
+        size = sp.Float(part)
+        x = _put(lines, f"{name}_x{k + 1}", x - _where(x >= part, size, _where(x <= -part, -size, _NOTHING)))
     return _put(lines, name, e * _series(x, [1 / sp.factorial(k) for k in range(9)]), "exponential")
 
 
@@ -170,10 +171,10 @@ def _log(node: sp.Expr, name: str, lines: Lines) -> sp.Expr:
     for k, bits in enumerate((32, 16, 8, 4, 2, 1)):
         high = sp.Float(sp.Rational(3, 4) * 2**bits)
         low = sp.Float(sp.Rational(3, 2) / 2**bits)
-        n = _put(lines, f"{name}_n{k}",
-                 n + _where(y >= high, sp.Float(bits), _where(y <= low, -sp.Float(bits), sp.Integer(0))))  # fmt: skip
-        y = _put(lines, f"{name}_y{k + 1}",
-                 y * _where(y >= high, sp.Rational(1, 2**bits), _where(y <= low, sp.Integer(2**bits), sp.Integer(1))))  # fmt: skip
+        size, up = sp.Float(bits), sp.Integer(2) ** bits
+        n = _put(lines, f"{name}_n{k}", n + _where(y >= high, size, _where(y <= low, -size, _NOTHING)))
+        less = _where(y <= low, up, sp.Integer(1))
+        y = _put(lines, f"{name}_y{k + 1}", y * _where(y >= high, 1 / up, less))
     z = _put(lines, f"{name}_z", (y - 1) / (y + 1))
     tail = _series(sp.Symbol(f"{name}_zz", real=True), [sp.Rational(2, 2 * k + 1) for k in range(9)])
     _put(lines, f"{name}_zz", z * z)

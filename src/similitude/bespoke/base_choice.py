@@ -1,4 +1,4 @@
-"""A base for a model whose author named none: of what is known best, completed where nothing measures a signal.
+"""A base for a model whose author named none: of what is known, completed where nothing measures a signal.
 
 Invariant: the base spans, and a quantity that was added only measures: it is in no equation.
 """
@@ -75,4 +75,3 @@ def _best(model: Model, exact: Collection[str]) -> tuple[str, ...] | None:
     fit = [b for b in ranked if not set(b) & set(model.constraints)]
     known = {*exact, *model.signals}
     return max(fit, key=lambda b: sum(name in known for name in b), default=None)
-

@@ -1,4 +1,4 @@
-"""Which estimator: the recursive regression where the sampled model is straight in one unknown, else the filter.
+"""Which estimator: a regression where the sampled model is straight in one unknown, else the filter.
 
 Invariant: the choice is made by numbers, and they stand in its reason.
 """
@@ -85,8 +85,8 @@ def choose(
         return Choice("population", reason)
     return Choice(
         "regression",
-        f"the model is linear, {prior.names[0]} alone matters, and the sampled coefficients are straight in it to "
-        f"{100 * bend:.2g} %",
+        f"the model is linear, {prior.names[0]} alone matters, and the sampled coefficients are straight "
+        f"in it to {100 * bend:.2g} %",
         frozen,
         bend,
     )

@@ -1,4 +1,4 @@
-"""Estimate: what an estimator says of a log: unknowns and parameters with intervals, and whether to believe it.
+"""Estimate: what an estimator says of a log: unknowns and parameters with intervals, and a verdict.
 
 Invariant: intervals are 95 % and those of the logarithm, so every end is a possible value; a verdict comes
 with every number.
@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from similitude.bespoke.words import estimate_text
 from similitude.status import NAMES
-
 
 WIDE = 1.959964  # sds of a 95 % interval
 NARROW, TOLD = 0.15, 0.5  # sd of the logarithm, and its share of the prior's, up to which it is identified
@@ -175,7 +174,7 @@ def _verdict(estimator: Any, status: NDArray, sd: float, excess: float) -> tuple
     if excess > NOISY:
         return (
             "outside_model",
-            f"the residual is {np.sqrt(excess):.2g} times the stated noise: noise, or the model, is not as stated",
+            f"the residual is {np.sqrt(excess):.2g} times the stated noise: noise or model is not as stated",
         )
     if sd > TOLD * before:
         return "not_excited", f"the log says too little; {told}"

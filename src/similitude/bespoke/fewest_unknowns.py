@@ -1,4 +1,4 @@
-"""Fewest unknowns: a model's groups, and its scales where they are unknown, as few numbers as the output tells.
+"""Fewest unknowns: groups, and scales where they are unknown, as few numbers as the output tells.
 
     ln z = E ln p      z unknowns, p parameters;    covariance of ln z = E covariance E'
 

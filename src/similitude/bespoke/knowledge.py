@@ -175,12 +175,16 @@ def _stated(q: Quantity, text: str) -> tuple[float, float]:
             told = parse_uncertain(text, expect=q.dimension)
             value, sd = told.value, (told.sd or 0.0) / abs(told.value) if told.value else 0.0
     except UnitError as error:
-        raise UnitError(f"prior of {q.name!r}: {error.what}", usually=error.usually,
-                        paste=f"prior={{{q.name!r}: '1 {q.unit} +- 30 %'}}", read=error.read) from None  # fmt: skip
+        raise UnitError(
+            f"prior of {q.name!r}: {error.what}",
+            usually=error.usually,
+            paste=f"prior={{{q.name!r}: '1 {q.unit} +- 30 %'}}",
+            read=error.read,
+        ) from None
     if value == 0 or not 0 <= sd <= WIDEST:
         raise UsageError(
             f"prior of {q.name!r}: {text!r} does not say its sign and its size within a factor",
-            usually="zero or a spread beyond the value was given; unknowns are kept as logarithms, so leave a "
+            usually="zero or a spread beyond the value was given; unknowns are logarithms, so leave a "
             "term that may vanish out of the model, or state how small and how large it can be.",
             paste=f"prior={{{q.name!r}: '1 {q.unit} +- 50 %'}}",
             read=READ,

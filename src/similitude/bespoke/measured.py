@@ -49,8 +49,9 @@ def read_columns(log: str | Path | Mapping[str, ArrayLike], model: Model, *, ste
     missing = [n for n in names if n not in found]
     if missing:
         q = model.quantity(missing[0])
+        there = str(log) if isinstance(log, str | Path) else ", ".join(map(str, log))
         raise LogError(
-            f"the log has no column {q.name!r} [{q.unit}] (it has {', '.join(map(str, log)) if not isinstance(log, str | Path) else log})",
+            f"the log has no column {q.name!r} [{q.unit}] (log: {there or 'empty'})",
             usually="the column has another name; an estimator takes the names of its model.",
             paste=f"{q.name} [{q.unit}]",
             read=READ,

@@ -94,7 +94,7 @@ def _lambdify(model: Model, expressions: sp.Matrix | list) -> tuple[Callable, li
 
 
 def _matrices(model: Model, at: Mapping[str, NDArray], x: NDArray, u: NDArray) -> tuple[NDArray, ...]:
-    """Slopes of rates and output by states and input: (systems, k, k), (systems, k), (systems, k), (systems,)."""
+    """Slopes of rates and output by states and input: (s, k, k), (s, k), (s, k), (s,) for s systems."""
     states, k = [q.symbol for q in model.states], len(model.states)
     both = [*states, model.inputs[0].symbol]
     rates = sp.Matrix([model.rates[q.name] for q in model.states])
@@ -169,8 +169,8 @@ def _substeps(
     parts = int(np.ceil(max(step * fastest / FINE, 1)))
     if parts > MOST:
         raise UsageError(
-            f"a sample of {step:.3g} s is {step * fastest:.0f} times the fastest time constant of {model.name!r} "
-            f"({1 / fastest:.3g} s)",
+            f"a sample of {step:.3g} s is {step * fastest:.0f} times the fastest time constant of "
+            f"{model.name!r} ({1 / fastest:.3g} s)",
             usually="a value has the wrong unit, or a part of the model is so fast that it belongs left out.",
             paste=f"step='{10 / fastest:.1g} s'",
             read=READ,

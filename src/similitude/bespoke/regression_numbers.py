@@ -62,7 +62,7 @@ def sampler(fewest: FewestUnknowns, reduction: Reduction, step: float) -> Callab
     """
     from scipy.linalg import expm
 
-    groups, model = reduction.groups, reduction.groups.model
+    model = reduction.groups.model
     x, u = [q.symbol for q in model.states], model.inputs[0].symbol
     number = {sp.Symbol(n, real=True): v for n, v in fewest.units.items()}
     quiet = dict.fromkeys([*x, u], 0)
@@ -90,7 +90,7 @@ def sampler(fewest: FewestUnknowns, reduction: Reduction, step: float) -> Callab
 
 @dataclass(frozen=True)
 class Straightness:
-    """How far the sampled coefficients leave their straight line over `RANGE` sds, as a share of their change."""
+    """How far sampled coefficients leave their straight line over `RANGE` sds, as a share of their change."""
 
     worst: float
 

@@ -46,7 +46,8 @@ class Rehearsal:
     def text(self) -> str:
         """One line an unknown."""
         lines = [
-            f"{self.systems} systems; intervals of {next(iter(self.covered))} hold at {100 * self.along:.1f} % of all rows; "
+            f"{self.systems} systems; intervals of {next(iter(self.covered))} hold at "
+            f"{100 * self.along:.1f} % of all rows; "
             + ", ".join(f"{n} {v}" for v, n in self.verdicts.items())
         ]
         lines += [

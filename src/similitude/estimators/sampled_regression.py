@@ -6,7 +6,7 @@
     zeta               slope of y0 by d, from the input alone: the instrument
 
 With zeta as the instrument the sensor's noise in phi is no bias (the paper's regression has that bias), and
-1/A0 before everything leaves the noise white near the median. Two unknowns, d and b, hence sums of two by two:
+1/A0 before everything leaves the noise white near the median. Unknown are d and b, hence two by two:
 
     R <- f R + [zeta; 1] [phi, 1]/noise,   q <- f q + [zeta; 1] e/noise,   [d; b] = R^-1 q
 
@@ -195,7 +195,7 @@ def _sample(a: dict[str, tuple[sp.Symbol, ...]], n: int) -> list[Statement]:
     moved += [Assign(a[k][i].name, S(f"{k}_new{i}")) for k in "sx" for i in range(n)]
     return [
         Assign("usable", sp.Integer(1)),
-        When(_within(S("input"), "input_limit"), (Assign("u_now", S("input")),), held, "a missing one is held"),
+        When(_within(S("input"), "input_limit"), (Assign("u_now", S("input")),), held, "held"),
         When(sp.Not(_within(S("measured"), "output_limit")), none, (), "no measurement"),
         Assign("fresh", sp.Min(S("fresh") + 1, S("settle") + 1)),
         When(S("started") > HALF, tuple(moved), (Assign("started", sp.Integer(1)),), "the median's states"),
