@@ -128,7 +128,9 @@ def main() -> None:
         scores = compare(rms, cars)
         print(
             f"{cars} cars, steer {1000 * rms:g} mrad rms: "
-            + "; ".join(f"{n}: rms of ln K {s.rms:.4f}, covered {100 * s.covered:.1f} %" for n, s in scores.items())
+            + "; ".join(
+                f"{n}: rms of ln K {s.rms:.4f}, covered {100 * s.covered:.1f} %" for n, s in scores.items()
+            )
         )
 
 

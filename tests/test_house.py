@@ -46,7 +46,7 @@ FLOW = (
     "bespoke",
     "paper",
     "cli_complaint cli_usage",
-    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
+    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_estimate cli_paper",
     "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

@@ -123,8 +123,11 @@ def gather_knowledge(
     mean, covariance, signs = np.full(len(names), np.nan), np.zeros((len(names),) * 2), np.ones(len(names))
     origins: dict[str, str] = {}
     if population is not None:
-        mean, covariance = population.moments([{n: Fraction(1)} for n in names], predictive=True)
-        covariance = np.where(np.isfinite(covariance), covariance, 0.0)
+        products = [{n: Fraction(1)} for n in names]
+        mean, covariance = population.moments(products, predictive=True)
+        taught = np.isfinite(mean) & np.isfinite(population.logs_of(products)).any(axis=0)
+        mean = np.where(taught, mean, np.nan)
+        covariance = np.where(np.outer(taught, taught), covariance, 0.0)
         origins = {n: population.table.name for i, n in enumerate(names) if np.isfinite(mean[i])}
     for i, q in enumerate(free):
         if q.name in prior:
@@ -162,11 +165,14 @@ def _condition(
 
 def _stated(q: Quantity, text: str) -> tuple[float, float]:
     """Value [SI] and sd of its logarithm."""
-    found = (
-        re.fullmatch(r"\s*(.*?)\s*(?:±|\+-|\+/-)\s*([\d.eE+-]+)\s*%\s*", text)
-        if isinstance(text, str)
-        else None
-    )
+    if not isinstance(text, str):
+        raise UnitError(
+            f"prior of {q.name!r} is {shown(text)}, which is no text with a unit",
+            usually="a bare number was given, and nobody can tell in which unit.",
+            paste=f"prior={{{q.name!r}: '{text} {q.unit} +- 30 %'}}",
+            read=READ,
+        )
+    found = re.fullmatch(r"\s*(.*?)\s*(?:±|\+-|\+/-)\s*([\d.eE+-]+)\s*%\s*", text)
     try:
         if found:
             value, _ = parse_quantity(found.group(1), expect=q.dimension)

@@ -64,6 +64,13 @@ def read_columns(log: str | Path | Mapping[str, ArrayLike], model: Model, *, ste
             paste=f"log = {{{u!r}: u[:n], {y!r}: y[:n]}}",
             read=READ,
         )
+    if len(found[u]) < 2:
+        raise LogError(
+            f"the log has {len(found[u])} rows",
+            usually="the recording was cut, or only a header was written.",
+            paste=f"log = {{{u!r}: [...], {y!r}: [...]}}",
+            read=READ,
+        )
     t = found.get("t", step * np.arange(len(found[u])))
     first = np.median(np.diff(t)) if len(t) > 1 else step
     dt = np.diff(t, prepend=t[:1] - first)

@@ -47,7 +47,7 @@ class Export:
 def export(
     system: str,
     *,
-    estimator: str,
+    estimator: str | None,
     real: str,
     target: str,
     out: Path,
