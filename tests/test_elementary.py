@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from similitude.elementary import spelt_functions
-from similitude.program.text import C, PYTHON, expression_text
+from similitude.program.text import PYTHON, C, expression_text
 
 x = sp.Symbol("x", real=True)
 CASES = [
@@ -64,6 +64,6 @@ def test_what_is_not_elementary_is_left_alone_and_c_can_be_printed():
 
 
 def test_the_kink_of_a_size_has_no_peak():
-    lines, named = spelt_functions({"f": sp.Abs(x).diff(x, 2)})
+    _, named = spelt_functions({"f": sp.Abs(x).diff(x, 2)})
 
     assert named["f"] == 0 or not named["f"].has(sp.DiracDelta)

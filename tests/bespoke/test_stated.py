@@ -24,9 +24,7 @@ def test_a_signal_takes_the_users_value_before_the_systems():
 
 
 def test_doubts_are_read_in_the_units_of_input_and_output():
-    told = doubts_of(
-        RLC, "100 mV", {"output_bias": "5 mV", "model_error": "0.5 %", "drift": "0.001 s^-(1/2)"}
-    )
+    told = doubts_of(RLC, "100 mV", {"output_bias": "5 mV", "model_error": "0.5 %", "drift": "0.2 % in 4 s"})
 
     assert (told.noise, told.output_bias, told.model_error, told.drift) == pytest.approx(
         (0.1, 0.005, 0.005, 0.001)
@@ -43,6 +41,7 @@ def test_doubts_are_read_in_the_units_of_input_and_output():
         (lambda: drive_of(np.zeros(100), RLC), UsageError, "all zero"),
         (lambda: drive_of(np.ones((100, 2)), RLC), UsageError, r"shape \(100, 2\)"),
         (lambda: drive_of("sine", RLC), UsageError, "drive has shape"),
+        (lambda: doubts_of(RLC, 0.1, {"drift": "5 %"}), UnitError, "how much in which time"),
         (lambda: doubts_of(RLC, 0.1, {"bias": 1}), UsageError, "doubts names 'bias'"),
         (lambda: numbers_of(AIR, "signals", None, wanted=("V",), own={}), UsageError, "no usual value"),
         (lambda: numbers_of(RLC, "start", {"x": 1}, wanted=(), own={}), UsageError, "start names 'x'"),

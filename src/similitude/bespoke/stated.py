@@ -130,6 +130,23 @@ def doubts_of(model: Model, noise: str | float, given: Mapping[str, str | float]
             read=READ,
         )
     u, y = model.inputs[0].unit, model.outputs[0].unit
-    units = {"input_offset": u, "disturbance": u, "output_bias": y, "drift": "s^-(1/2)"}
-    told = {n: number_of(n, v, units.get(n, "1")) for n, v in (given or {}).items()}
+    units = {"input_offset": u, "disturbance": u, "output_bias": y}
+    told = {
+        n: _drift(v) if n == "drift" else number_of(n, v, units.get(n, "1")) for n, v in (given or {}).items()
+    }
     return Doubts(number_of("noise", noise, y), **told)
+
+
+def _drift(text: str | float) -> float:
+    """``"5 % in 1 min"``: sd of the logarithm after that time, as a random walk [1/sqrt(s)]."""
+    if not isinstance(text, str):
+        return number_of("drift", text, "1")
+    share, found, time = text.partition(" in ")
+    if not found:
+        raise UnitError(
+            f"drift: {shown(text)} does not say how much in which time",
+            usually="only one of both was written.",
+            paste="doubts={'drift': '5 % in 1 min'}",
+            read=READ,
+        )
+    return number_of("drift", share, "1") / float(np.sqrt(number_of("drift", time, "s")))
