@@ -1,8 +1,8 @@
 """Compares the car's filter built by `reduce` with the one that `identify` runs, on the same simulated cars.
 
-The cars are drawn from the prior of passenger cars; the plant is the exact response of the linear bicycle,
-whose tyres both filters are then told to be: `reduce` chooses the roles of the linear bicycle's unknowns, the
-numbers are those that any model gets. Run as ``python scripts/reduced_car.py [CARS]``.
+The cars are drawn from the prior of passenger cars; the plant is the exact response of the linear bicycle.
+`reduce` chooses the roles of its unknowns and the numbers are those that any model gets; `identify` runs
+its own filter, whose tyres saturate far beyond what these cars do. Run as ``python scripts/reduced_car.py [CARS]``.
 """
 
 from __future__ import annotations

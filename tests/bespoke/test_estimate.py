@@ -19,7 +19,7 @@ def test_intervals_hold_the_truth_and_parameters_follow(log):
     for name in ("J", "b"):
         one = found.parameters[name]
         assert one.low < truth[name] < one.high and one.sd < 0.1 * one.prior_sd
-    assert 0.8 < found.consistency < 1.2
+    assert 0.5 < found.consistency < 1.2  # below one: this plant has none of the doubts that were taken
     assert (found.low < found.value).all() and (found.value < found.high).all()
 
 

@@ -62,7 +62,8 @@ def _held(source: Source, vehicle: Path | None, sample_time: float | None) -> Nu
         return own
     given = f"--vehicle '{vehicle}'" if vehicle is not None else f"--sample-time {sample_time:g} s"
     raise UsageError(
-        f"{given} was given for {source.system}, whose estimator has its own numbers at {own.sample_time:g} s",
+        f"{given} was given for {source.system}, whose estimator has its own numbers at "
+        f"{own.sample_time:g} s",
         usually="the estimator was made for another sample time: make it anew in the file.",
         paste=f"make_estimator(..., step='{1000 * (sample_time or own.sample_time):g} ms')",
         read=READ,
