@@ -1,8 +1,9 @@
 """Compares the car's filter built by `reduce` with the one that `identify` runs, on the same simulated cars.
 
 The cars are drawn from the prior of passenger cars; the plant is the exact response of the linear bicycle.
-`reduce` chooses the roles of its unknowns and the numbers are those that any model gets; `identify` runs
-its own filter, whose tyres saturate far beyond what these cars do. Run as ``python scripts/reduced_car.py [CARS]``.
+`reduce` chooses the roles of its unknowns and the numbers are those that any model gets; `identify` runs its
+own filter, whose tyres saturate far beyond what these cars do. Run as
+``python scripts/reduced_car.py [CARS]``.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ def reduced_filter(steer: NDArray) -> tuple[Library, NDArray]:
         ("m", "L", "U"),
         (),
     )
-    trial = Trial(steer, STEP, np.column_stack([0.5 * r, r]), r, np.empty((0, 0)), 0.3)
+    trial = Trial(steer, STEP, np.column_stack([0.5 * r, r]), r, np.zeros((1, len(names))), 0.3)
     doubts = Doubts(NOISE, input_error=MEASURED_STEER_SD, input_offset=1e-4)
     return library, filter_numbers(library, fewest, own, trial, doubts)[0]
 

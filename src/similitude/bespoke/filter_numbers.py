@@ -24,7 +24,8 @@ SAMPLE = 0.01  # s, and time a yaw rate keeps to itself [s]: what DESIGN was fou
 KEPT = 0.3
 LIMIT_SD = 4.0  # of every unknown: beyond it the population does not hold
 ROOM = 20.0  # times the greatest value of the trial: what is believed of input and output
-HEAT = 300.0  # noise variance the first sample is weighed with, over its own
+HEAT = 300.0  # noise variance the first sample is weighed with, over its own, at least
+WARM_TOLD = 1000.0  # information about an unknown, in its prior's, that the warm part may bring
 WARM = 0.1  # of the planned drive: how long that takes to fall by e
 BY_SAMPLE = ("noise_adapt", "surprise_rate", "gap", "seldom")
 BY_OUTPUT = ("activity_rate", "structure_time", "disturbance_rate", "disturbance_adapt", "excitation_rate",
@@ -81,7 +82,10 @@ def filter_numbers(
     for k, q in enumerate(model.states):
         spread = float(np.ptp(trial.states[:, k])) / 2 / fewest.units[f"{q.name}_unit"]
         values[f"{q.name}_star_sd"] = spread or 1e-3
-    values |= {"heat_start": HEAT, "heat_rate": 1 / (WARM * trial.step * len(trial.u))}
+    values |= {
+        "heat_start": _heat(fewest, trial, doubts.noise),
+        "heat_rate": 1 / (WARM * trial.step * len(trial.u)),
+    }
     values |= {
         "signal_limit": ROOM * max([0.05, *fewest.signals.values()]),
         "validity_rate": 2 / (KEPT * by_output),
@@ -144,6 +148,12 @@ def _sensor_values(told: Mapping[str, float], swing: float, trial: Trial) -> dic
         "output_limit": ROOM
         * (float(np.abs(trial.output).max()) + 5 * told["noise"] + 5 * told["output_bias"]),
     }
+
+
+def _heat(fewest: FewestUnknowns, trial: Trial, noise: float) -> float:
+    """So much that what the drive tells most is not pinned while all unknowns are still guesses."""
+    squares = (trial.slopes**2).sum(axis=0) / noise**2 * np.diag(fewest.prior.covariance)
+    return max(HEAT, WARM * float(squares.max(initial=0.0)) / WARM_TOLD)
 
 
 def _limit_of(model) -> float:
