@@ -81,11 +81,12 @@ class Reduced:
     def text(self) -> str:
         """The table as plain text."""
         heads = f"{'sd before':>10}{'after':>8}{'moves output':>14}{'bias if frozen':>16}"
-        lines = [f"{'unknown':<10}{'role':<10}{heads}"]
+        wide = max(10, *(len(one.name) + 2 for one in self.roles))
+        lines = [f"{'unknown':<{wide}}{'role':<10}{heads}"]
         for one in self.roles:
             mine = one.role == "identify"
             lines.append(
-                f"{one.name:<10}{one.role:<10}{one.before:>10.3f}{one.after:>8.3f}{one.move:>12.1f} σ"
+                f"{one.name:<{wide}}{one.role:<10}{one.before:>10.3f}{one.after:>8.3f}{one.move:>12.1f} σ"
                 f"{'' if mine else f'{100 * one.bias:.1f} %':>16}"
                 + ("" if one.chosen == "rule" else f"  ({one.chosen})")
             )

@@ -251,7 +251,8 @@ def _unseen(model: Model, knowledge: Knowledge, E: NDArray) -> tuple[NDArray, tu
     rational = sp.Matrix([[sp.Rational(x.numerator, x.denominator) for x in row] for row in E])
     moved = rational * sp.Matrix(directions).T if directions else sp.zeros(rational.rows, 0)
     notes = [
-        f"the output cannot see {_formula([float(d.get(n, 0)) for n in names], names)} by itself"
+        "the output does not change where these scale together: "
+        + ", ".join(f"{n}^{p}" if p != 1 else n for n, p in d.items() if n in names)
         for d in found.unseen
     ]
     if found.curved:
