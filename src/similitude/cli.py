@@ -23,6 +23,7 @@ from similitude.cli_analyze import analyze
 from similitude.cli_bench import bench
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
+from similitude.cli_estimate import estimate
 from similitude.cli_export import export
 from similitude.cli_inspect import inspect
 from similitude.cli_paper import paper
@@ -143,6 +144,7 @@ app.command()(population)
 app.command()(simulate)
 app.command()(compare)
 app.command()(export)
+app.command()(estimate)
 app.command()(paper)
 app.command()(bench)
 

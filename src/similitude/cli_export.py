@@ -27,6 +27,8 @@ def export(
         typer.Option(
             metavar="population|small_population|paper|band|output_error|robust|monitor",
             help="What to export.",
+            metavar="population|paper|band|output_error|robust|monitor",
+            help="What to export; left out, the one a FILE.py holds.",
         ),
     ] = None,
     real: Annotated[str | None, typer.Option(metavar="float|double", help="Type of every number.")] = None,
@@ -53,6 +55,8 @@ def export(
         _verify(verify, system)
         return
     named = {"SYSTEM": system, "--estimator": estimator, "--real": real, "--target": target, "--out": out}
+    if system is not None and system.endswith(".py"):
+        del named["--estimator"]  # the file may hold one
     absent = [name for name, value in named.items() if value is None]
     if absent:
         raise UsageError(

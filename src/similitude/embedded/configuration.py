@@ -48,10 +48,27 @@ def find_numbers(source: Source, *, vehicle: Path | None, sample_time: float | N
     UsageError      a user's file leaves values open, or a vehicle file was given for it.
     VehicleError    the vehicle file cannot be used.
     """
+    if source.numbers is not None:
+        return _held(source, vehicle, sample_time)
     library = source.library()
     if source.stated is not None:
         return _stated(source, library, vehicle, sample_time)
     return _shipped(source, library, vehicle, sample_time)
+
+
+def _held(source: Source, vehicle: Path | None, sample_time: float | None) -> Numbers:
+    """The numbers of an estimator that a file holds; they are for its own sample time."""
+    own: Numbers = source.numbers
+    if vehicle is None and sample_time in (None, own.sample_time):
+        return own
+    given = f"--vehicle '{vehicle}'" if vehicle is not None else f"--sample-time {sample_time:g} s"
+    raise UsageError(
+        f"{given} was given for {source.system}, whose estimator has its own numbers at "
+        f"{own.sample_time:g} s",
+        usually="the estimator was made for another sample time: make it anew in the file.",
+        paste=f"make_estimator(..., step='{1000 * (sample_time or own.sample_time):g} ms')",
+        read=READ,
+    )
 
 
 def _shipped(source: Source, library: Library, path: Path | None, sample_time: float | None) -> Numbers:

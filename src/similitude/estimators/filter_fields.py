@@ -21,7 +21,11 @@ INPUT_SCALE = "input_scale"
 
 @dataclass(frozen=True)
 class Layout:
-    """Order of the filter's states and the names of everything around them."""
+    """Order of the filter's states and the names of everything around them.
+
+    ``warming``: whether the first samples count for less, so that the unknowns are not fixed by a straight
+    line through where they were guessed.
+    """
 
     reduction: Reduction
     errors: tuple[str, ...] = (INPUT_SCALE, OFFSET, BIAS)  # of the sensors, those that are carried
@@ -34,6 +38,7 @@ class Layout:
         """Coordinates that are kept between limits."""
         own = tuple(u.name for u in self.reduction.unknowns if u.role != "consider")
         return (*own, INPUT_SCALE) if INPUT_SCALE in self.errors else own
+    warming: bool = False
 
     @property
     def fast(self) -> tuple[str, ...]:
@@ -178,6 +183,14 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
         Field("observed_least", "-", "least share of the disturbance taken as observed"),
         Field("outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"),
+        *(
+            (
+                Field("heat_start", "-", "noise variance the first sample is weighed with, over its own"),
+                Field("heat_rate", "1/s", "rate at which that falls"),
+            )
+            if layout.warming
+            else ()
+        ),
         Field("gap", "s", "longest time without a usable sample before a restart"),
         Field("input_limit", i.unit, f"greatest believable {i.name}"),
         Field("output_limit", o.unit, f"greatest believable {o.name}"),
@@ -254,6 +267,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
             "recent peak of the validity signal, squared",
         ),
         Field("information", "-", f"information gained about ln {layout.target}"),
+        *((Field("heat", "-", "noise variance that is added now, over its own"),) if layout.warming else ()),
         Field("last_input", i.unit, "input of the sample before"),
         *(Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before") for q in layout.signals),
         Field("age", "s", "time since the last usable sample"),

@@ -31,10 +31,10 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
+    "above above_move away cold bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
     "inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale lost nis noise noise_change "
-    "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_plain "
-    "unseen validity_now validity_square validity_then w_nominal".split()
+    "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_end "
+    "u_plain unseen validity_now validity_square validity_then w_nominal".split()
 )
 
 
@@ -45,10 +45,13 @@ def S(name: str) -> sp.Symbol:
 
 def population_filter(reduction: Reduction) -> Program:
     """Derive the filter's step program from a reduced model: every unknown and sensor error carried.
+def population_filter(reduction: Reduction, *, warming: bool = False) -> Program:
+    """Derive the filter's step program from a reduced model.
 
     Parameters
     ----------
     reduction : Reduction    one input, one output, any number of states and unknowns.
+    warming : whether the first samples count for less, falling off over a configured time.
 
     Returns
     -------
@@ -64,6 +67,7 @@ def population_filter(reduction: Reduction) -> Program:
 def filter_program(layout: Layout, name: str, title: str) -> Program:
     """The step program of the filter that carries what the layout says."""
     reduction = layout.reduction
+    layout = Layout(reduction, warming)
     model = reduction.groups.model
     taken = sorted(WORKING.intersection(layout.unknowns))
     if taken:
@@ -140,6 +144,8 @@ def _init(layout: Layout) -> list[Statement]:
         "started",
     ]
     names += [f"last_{q.name}" for q in layout.signals]
+    if layout.warming:
+        lines.append(Assign("heat", S("heat_start")))
     lines.append(
         Assign(
             P.target(at[DISTURBANCE], at[DISTURBANCE]),
