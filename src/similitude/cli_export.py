@@ -26,8 +26,6 @@ def export(
         str | None,
         typer.Option(
             metavar="population|small_population|paper|band|output_error|robust|monitor",
-            help="What to export.",
-            metavar="population|paper|band|output_error|robust|monitor",
             help="What to export; left out, the one a FILE.py holds.",
         ),
     ] = None,

@@ -80,10 +80,12 @@ def implicit_step(
     J = f.jacobian(sp.Matrix(states))
     scaled = _matrix(n, "J", lambda i, j: J[i, j] != 0)
     path = companion or {}
-    lines = _shared(f, h / (3 * halves) * J, states, parameters, path)
-    lines += _inverse(scaled, n, ramped=ramp is not None) if halves == 2 else _whole_step(scaled, n)
-    inverted, weights = _inverse(scaled, n, ramped=ramp is not None)
-    lines = _shared(f, J, states, parameters, path) + inverted
+    weights: list[sp.Expr] = []
+    if halves == 2:
+        inverted, weights = _inverse(scaled, n, ramped=ramp is not None)
+    else:
+        inverted = _whole_step(scaled, n)
+    lines = _shared(f, h / (3 * halves) * J, states, parameters, path) + inverted
     M, G = (_matrix(n, letter, lambda i, j: True) for letter in "MG")
     rate = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in states])
     change = sp.Matrix([sp.Symbol(f"d_{x.name}", real=True) for x in states])

@@ -135,14 +135,13 @@ def measurement(layout: Layout) -> list[Statement]:
         slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian
         if slope != 0:
             H[at[u.name]] = slope
-    if BIAS in at:
-        H[at[BIAS]] = sp.Integer(1)
     direct, slopes = _feedthrough(layout, output)
-    H |= {at[name]: slope for name, slope in slopes.items()}
+    H |= {at[name]: slope for name, slope in slopes.items() if name in at}
     functions, spelled = spelt_functions({"": output, **{f"{i}": e for i, e in H.items()}}, "out")
     output = spelled.pop("")
     H = {i: spelled[f"{i}"] for i in H}
-    H[at[BIAS]] = sp.Integer(1)
+    if BIAS in at:
+        H[at[BIAS]] = sp.Integer(1)
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
     share = S("structure_share") * S("structure_share")
@@ -176,8 +175,9 @@ def _feedthrough(layout: Layout, output: sp.Expr) -> tuple[list[Assign], dict[st
     if slope == 0:
         return [], {}
     unit = layout.inverted(1 / layout.reduction.groups.scale[layout.input.name])
-    acting = S(INPUT_SCALE) * S("u_now")
-    line = Assign("u_end", (acting + S(OFFSET) + S(DISTURBANCE)) * unit, "input at the end of the step [-]")
+    acting = (S(INPUT_SCALE) if INPUT_SCALE in layout.errors else 1) * S("u_now")
+    offset = S(OFFSET) if OFFSET in layout.errors else 0
+    line = Assign("u_end", (acting + offset + S(DISTURBANCE)) * unit, "input at the end of the step [-]")
     return [line], {DISTURBANCE: slope * unit, OFFSET: slope * unit, INPUT_SCALE: slope * unit * acting}
 
 

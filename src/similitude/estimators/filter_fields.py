@@ -32,13 +32,13 @@ class Layout:
     monitored: bool = True  # hand out what a monitor beside it needs
     followed: bool = True  # sensitivities along states of their own, not along the estimate
     fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
+    warming: bool = False
 
     @property
     def moving(self) -> tuple[str, ...]:
         """Coordinates that are kept between limits."""
         own = tuple(u.name for u in self.reduction.unknowns if u.role != "consider")
         return (*own, INPUT_SCALE) if INPUT_SCALE in self.errors else own
-    warming: bool = False
 
     @property
     def fast(self) -> tuple[str, ...]:

@@ -43,10 +43,8 @@ def S(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
-def population_filter(reduction: Reduction) -> Program:
-    """Derive the filter's step program from a reduced model: every unknown and sensor error carried.
 def population_filter(reduction: Reduction, *, warming: bool = False) -> Program:
-    """Derive the filter's step program from a reduced model.
+    """Derive the filter's step program from a reduced model: every unknown and sensor error carried.
 
     Parameters
     ----------
@@ -61,13 +59,12 @@ def population_filter(reduction: Reduction, *, warming: bool = False) -> Program
     ----------
     Brennan & Alleyne 2004, section 5, for the idea; the filter is this project's own.
     """
-    return filter_program(Layout(reduction), "population", "Population filter")
+    return filter_program(Layout(reduction, warming=warming), "population", "Population filter")
 
 
 def filter_program(layout: Layout, name: str, title: str) -> Program:
     """The step program of the filter that carries what the layout says."""
     reduction = layout.reduction
-    layout = Layout(reduction, warming)
     model = reduction.groups.model
     taken = sorted(WORKING.intersection(layout.unknowns))
     if taken:
