@@ -47,8 +47,8 @@ FLOW = (
     "bespoke",
     "paper",
     "cli_complaint cli_usage",
-    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper cli_bench",
     "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_estimate cli_paper",
+    "cli_bench",
     "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}
