@@ -41,7 +41,7 @@ def evaluator(expression):
     return value
 
 
-@pytest.mark.parametrize(("expression", "truth", "low", "high"), CASES, ids=lambda c: str(c))
+@pytest.mark.parametrize(("expression", "truth", "low", "high"), CASES, ids=[str(c[0]) for c in CASES])
 def test_a_spelt_function_is_the_function(expression, truth, low, high):
     value = evaluator(expression)
     for at in np.geomspace(low, high, 200) if low > 0 else np.linspace(low, high, 201):
