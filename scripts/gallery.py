@@ -10,9 +10,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from tests.bespoke.gallery import CASES, made
+from tests.any_model.gallery import CASES, made
 
-from similitude.bespoke.rehearsal import rehearse
+from similitude.any_model.rehearsal import rehearse
 
 SYSTEMS = 200
 

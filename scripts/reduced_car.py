@@ -16,10 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import similitude
-from similitude.bespoke.fewest_unknowns import FewestUnknowns
-from similitude.bespoke.filter_numbers import Doubts, filter_numbers
-from similitude.bespoke.knowledge import Knowledge
-from similitude.bespoke.trial import Trial
+from similitude.any_model.fewest_unknowns import FewestUnknowns
+from similitude.any_model.filter_numbers import Doubts, filter_numbers
+from similitude.any_model.knowledge import Knowledge
+from similitude.any_model.trial import Trial
 from similitude.estimators.population_filter import population_filter
 from similitude.filter_config import MEASURED_STEER_SD, filter_config
 from similitude.output_sensitivity import sampled_response

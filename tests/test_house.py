@@ -44,7 +44,7 @@ FLOW = (
     "simulation",
     "benchmark",
     "embedded",
-    "bespoke",
+    "any_model",
     "paper",
     "cli_complaint cli_usage",
     "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_estimate cli_paper",

@@ -7,8 +7,8 @@ import importlib
 
 # public name -> file that holds it
 _ROOMS = {
-    "Estimate": "bespoke.estimate",
-    "Estimator": "bespoke.estimator",
+    "Estimate": "any_model.estimate",
+    "Estimator": "any_model.estimator",
     "Log": "log",
     "Model": "model",
     "Quantity": "model",
@@ -26,7 +26,7 @@ _ROOMS = {
     "identify": "identification",
     "into_groups": "rewriting.scaling",
     "invariances": "invariance.invariances",
-    "make_estimator": "bespoke.estimator",
+    "make_estimator": "any_model.estimator",
     "mismatches_of": "model",
     "out_of_groups": "rewriting.scaling",
     "pi_groups": "dimensional.pi_groups",
@@ -34,7 +34,7 @@ _ROOMS = {
     "read_log": "log",
     "read_population": "populations.population",
     "reduce": "directions",
-    "rehearse": "bespoke.rehearsal",
+    "rehearse": "any_model.rehearsal",
     "relate": "populations.relations",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",

@@ -20,7 +20,7 @@ def estimate(
     as_json: Annotated[bool, typer.Option("--json", help="Print one line of JSON a log.")] = False,
 ) -> None:
     """Estimate the unknowns of a model of your own from logs."""
-    from similitude.bespoke.record import estimate_record
+    from similitude.any_model.record import estimate_record
     from similitude.embedded.system import find_estimator
     from similitude.errors import SimilitudeError
     from similitude.report.summary import json_line

@@ -5,7 +5,7 @@ import pytest
 
 from similitude.status import STATUS
 
-from ..bespoke.gallery import made
+from ..any_model.gallery import made
 
 
 def run(rows):

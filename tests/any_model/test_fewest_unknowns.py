@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from similitude import shipped_system
-from similitude.bespoke.fewest_unknowns import fewest_unknowns
-from similitude.bespoke.knowledge import gather_knowledge
-from similitude.bespoke.one_channel import one_channel
-from similitude.bespoke.plant import respond
+from similitude.any_model.fewest_unknowns import fewest_unknowns
+from similitude.any_model.knowledge import gather_knowledge
+from similitude.any_model.one_channel import one_channel
+from similitude.any_model.plant import respond
 from similitude.errors import ModelError
 
 from .gallery import CASES

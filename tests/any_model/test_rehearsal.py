@@ -2,7 +2,7 @@
 
 import pytest
 
-from similitude.bespoke.rehearsal import rehearse
+from similitude.any_model.rehearsal import rehearse
 from similitude.errors import UsageError
 
 from .gallery import CASES, made

@@ -3,7 +3,7 @@
 import pytest
 
 from similitude import shipped_system
-from similitude.bespoke.one_channel import one_channel
+from similitude.any_model.one_channel import one_channel
 from similitude.errors import UsageError
 
 MOTOR = shipped_system("dc_motor").model

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from similitude.bespoke.estimate import WIDE, estimate_of
-from similitude.bespoke.estimator import Estimator
-from similitude.bespoke.plant import respond
+from similitude.any_model.estimate import WIDE, estimate_of
+from similitude.any_model.estimator import Estimator
+from similitude.any_model.plant import respond
 from similitude.errors import UsageError
 
 FEWEST = 20  # systems: one more or less is 5 % of coverage

@@ -1,7 +1,7 @@
 """A base is found for any model; what only measures is added where nothing else does."""
 
 from similitude import Model, Quantity, shipped_system
-from similitude.bespoke.base_choice import choose_base
+from similitude.any_model.base_choice import choose_base
 from similitude.groups import reparameterize
 
 HEATER = Model(

@@ -18,20 +18,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from similitude.bespoke.base_choice import choose_base
-from similitude.bespoke.choice import Choice, choose
-from similitude.bespoke.estimate import Estimate, estimate_of
-from similitude.bespoke.fewest_unknowns import FewestUnknowns, fewest_unknowns
-from similitude.bespoke.filter_numbers import Doubts, filter_numbers
-from similitude.bespoke.knowledge import gather_knowledge
-from similitude.bespoke.measured import LogColumns, read_columns
-from similitude.bespoke.one_channel import one_channel
-from similitude.bespoke.plant import respond
-from similitude.bespoke.regression_numbers import regression_numbers
-from similitude.bespoke.stated import doubts_of, drive_of, number_of, numbers_of
-from similitude.bespoke.trial import Trial, try_drive
-from similitude.bespoke.untold import rank_told
-from similitude.bespoke.words import estimator_text
+from similitude.any_model.base_choice import choose_base
+from similitude.any_model.choice import Choice, choose
+from similitude.any_model.estimate import Estimate, estimate_of
+from similitude.any_model.fewest_unknowns import FewestUnknowns, fewest_unknowns
+from similitude.any_model.filter_numbers import Doubts, filter_numbers
+from similitude.any_model.knowledge import gather_knowledge
+from similitude.any_model.measured import LogColumns, read_columns
+from similitude.any_model.one_channel import one_channel
+from similitude.any_model.plant import respond
+from similitude.any_model.regression_numbers import regression_numbers
+from similitude.any_model.stated import doubts_of, drive_of, number_of, numbers_of
+from similitude.any_model.trial import Trial, try_drive
+from similitude.any_model.untold import rank_told
+from similitude.any_model.words import estimator_text
 from similitude.directions import Reduced
 from similitude.embedded.configuration import Numbers
 from similitude.embedded.folder import Export, export_source

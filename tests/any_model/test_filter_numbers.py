@@ -6,7 +6,7 @@ import runpy
 import numpy as np
 import pytest
 
-from similitude.bespoke.filter_numbers import Doubts, filter_numbers
+from similitude.any_model.filter_numbers import Doubts, filter_numbers
 
 from .gallery import made
 

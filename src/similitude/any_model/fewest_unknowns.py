@@ -21,7 +21,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from similitude.bespoke.knowledge import Knowledge
+from similitude.any_model.knowledge import Knowledge
 from similitude.errors import ModelError
 from similitude.groups import Group, Groups, reparameterize
 from similitude.model import Model, Quantity

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from similitude import Model, Quantity, shipped_system
-from similitude.bespoke.plant import _stepped, is_linear, respond
+from similitude.any_model.plant import _stepped, is_linear, respond
 from similitude.errors import UsageError
 
 RLC = shipped_system("rlc_circuit")

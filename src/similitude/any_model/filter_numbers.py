@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from similitude.bespoke.fewest_unknowns import FewestUnknowns
-from similitude.bespoke.trial import Trial
+from similitude.any_model.fewest_unknowns import FewestUnknowns
+from similitude.any_model.trial import Trial
 from similitude.filter_config import DESIGN
 from similitude.population import Prior
 from similitude.program.library import Library

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.bespoke.words import estimate_text
+from similitude.any_model.words import estimate_text
 from similitude.status import NAMES
 
 WIDE = 1.959964  # sds of a 95 % interval

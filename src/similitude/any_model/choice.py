@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from similitude.bespoke.fewest_unknowns import FewestUnknowns
-from similitude.bespoke.plant import is_linear
-from similitude.bespoke.regression_numbers import straightness
-from similitude.bespoke.trial import Trial
+from similitude.any_model.fewest_unknowns import FewestUnknowns
+from similitude.any_model.plant import is_linear
+from similitude.any_model.regression_numbers import straightness
+from similitude.any_model.trial import Trial
 from similitude.directions import Reduced
 from similitude.errors import UsageError, shown
 from similitude.model import Model

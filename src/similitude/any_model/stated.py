@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from similitude.bespoke.filter_numbers import Doubts
+from similitude.any_model.filter_numbers import Doubts
 from similitude.errors import UnitError, UsageError, shown
 from similitude.model import Model
 from similitude.units import parse_quantity, parse_unit

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from similitude import shipped_system
-from similitude.bespoke.knowledge import gather_knowledge
+from similitude.any_model.knowledge import gather_knowledge
 from similitude.errors import SimilitudeError, UnitError, UsageError
 from similitude.groups import reparameterize
 from similitude.populations.population import populate

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from similitude import shipped_system
-from similitude.bespoke.measured import read_columns
+from similitude.any_model.measured import read_columns
 from similitude.errors import LogError, UnitError
 
 RLC = shipped_system("rlc_circuit").model

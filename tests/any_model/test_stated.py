@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from similitude import shipped_system
-from similitude.bespoke.stated import doubts_of, drive_of, number_of, numbers_of
+from similitude.any_model.stated import doubts_of, drive_of, number_of, numbers_of
 from similitude.errors import SimilitudeError, UnitError, UsageError
 
 RLC = shipped_system("rlc_circuit").model

@@ -2,7 +2,7 @@
 
 import json
 
-from similitude.bespoke.record import estimate_record
+from similitude.any_model.record import estimate_record
 
 from .gallery import made
 

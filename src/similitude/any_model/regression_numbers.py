@@ -13,9 +13,9 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from similitude.bespoke.fewest_unknowns import FewestUnknowns
-from similitude.bespoke.filter_numbers import LIMIT_SD, ROOM, Doubts
-from similitude.bespoke.trial import Trial
+from similitude.any_model.fewest_unknowns import FewestUnknowns
+from similitude.any_model.filter_numbers import LIMIT_SD, ROOM, Doubts
+from similitude.any_model.trial import Trial
 from similitude.population import Prior
 from similitude.program.library import Library
 from similitude.reduction import Reduction

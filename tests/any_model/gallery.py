@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from similitude.bespoke.estimator import Estimator, make_estimator
+from similitude.any_model.estimator import Estimator, make_estimator
 from similitude.systems.shipped import shipped_system
 
 

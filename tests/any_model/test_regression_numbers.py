@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from similitude.bespoke.regression_numbers import _denominator_filter, sampler, straightness
+from similitude.any_model.regression_numbers import _denominator_filter, sampler, straightness
 
 from .gallery import made
 

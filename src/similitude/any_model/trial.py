@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.bespoke.fewest_unknowns import FewestUnknowns
-from similitude.bespoke.plant import Response, respond
+from similitude.any_model.fewest_unknowns import FewestUnknowns
+from similitude.any_model.plant import Response, respond
 from similitude.model import Model
 
 DIFFERENCE = 1e-3  # of a logarithm, each way: its square is the relative error of a slope

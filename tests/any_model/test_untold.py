@@ -5,7 +5,7 @@ import pytest
 import sympy as sp
 
 from similitude import shipped_system
-from similitude.bespoke.untold import rank_told
+from similitude.any_model.untold import rank_told
 from similitude.population import Prior
 from similitude.reduction import Reduction, Unknown
 
