@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy alarms spacing ladder cross-check damage embedded populations clean
+.PHONY: demo test check fuzz bench accuracy alarms spacing ladder cross-check damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -52,6 +52,10 @@ embedded: $(DEV)
 populations: $(DEV)
 	$(BIN)/python scripts/build_populations.py
 	$(BIN)/python scripts/populations.py
+
+gallery: $(DEV)
+	$(BIN)/python scripts/gallery.py
+	$(BIN)/python scripts/reduced_car.py
 
 $(FUZZ): pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[dev,fuzz]'

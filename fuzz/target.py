@@ -24,6 +24,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from similitude.errors import SimilitudeError
+from similitude.log_fixes import FIXES
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
@@ -76,6 +77,46 @@ def _column(given: atheris.FuzzedDataProvider, rows: int) -> pa.Array:
     return array.cast(wanted, safe=False)
 
 
+def read_signals(data: bytes) -> None:
+    """The bytes spoil a drive that is long enough for all that judges signals, and every repair is made."""
+    given = atheris.FuzzedDataProvider(data)
+    rows = given.ConsumeIntInRange(100, 1200)
+    t = np.arange(rows) * 10.0 ** given.ConsumeIntInRange(-3, 0)
+    steer = 0.02 * np.sin(0.7 * t) + 0.01 * np.sin(2.9 * t)
+    columns = {"t [s]": t, "delta [rad]": steer, "r [rad/s]": 4.0 * steer, "U [m/s]": 20.0 + np.cos(0.2 * t)}
+    names = list(columns)
+    for _ in range(given.ConsumeIntInRange(0, 12)):
+        column = columns[given.PickValueInList(names)]
+        first, last = sorted(given.ConsumeIntInRange(0, rows) for _ in range(2))
+        _spoil(given, column[first:last])
+    path = FOLDER / "signals.parquet"
+    pq.write_table(pa.table(columns), path)
+    _read(path)
+    _must_end(lambda: similitude.log_survey.survey(path, vehicle=CAR, fixes=tuple(FIXES)))
+
+
+def _spoil(given: atheris.FuzzedDataProvider, part: np.ndarray) -> None:
+    """Hold, cut, round, shift, scale, empty or overwrite a stretch of a column, in place."""
+    if not part.size:
+        return
+    size = given.ConsumeFloat() if given.ConsumeBool() else 10.0 ** given.ConsumeIntInRange(-6, 6)
+    with np.errstate(all="ignore"):
+        changed = (
+            lambda: np.full(part.size, part[0]),
+            lambda: np.clip(part, -abs(size), abs(size)),
+            lambda: np.round(part / size) * size,
+            lambda: part + size,
+            lambda: part * size,
+            lambda: np.where(
+                np.arange(part.size) % (1 + int(np.nan_to_num(min(abs(size), 9.0)))), np.nan, part
+            ),
+            lambda: np.repeat(part[::5], 5)[: part.size],
+            lambda: part[::-1].copy(),
+            lambda: np.full(part.size, size),
+        )
+        part[:] = changed[given.ConsumeIntInRange(0, len(changed) - 1)]()
+
+
 def read_vehicle(data: bytes) -> None:
     """The bytes are a vehicle file."""
     path = FOLDER / "car.toml"
@@ -98,11 +139,11 @@ def _must_end(action) -> None:
         assert "nvalid input" not in str(error)
 
 
-TARGETS = {"text": read_text, "parquet": read_parquet, "vehicle": read_vehicle}
+TARGETS = {"text": read_text, "signals": read_signals, "parquet": read_parquet, "vehicle": read_vehicle}
 
 
 def main() -> None:
-    """`python -m fuzz.target text|parquet|vehicle <options of libFuzzer>`."""
+    """`python -m fuzz.target text|signals|parquet|vehicle <options of libFuzzer>`."""
     warnings.simplefilter("error")
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     pa.set_cpu_count(1)

@@ -32,7 +32,7 @@ SANITIZED, COVERED = 1_000_000, 300_000  # random samples
 BRANCHES_LEAST = 75.0  # % of the branches of a file that were taken
 ADDON = ("--addon=misra", "--std=c99", "--quiet", f"-D{CONTRACT_OFF}")
 ASLEEP = ("bicycle_monitor",)  # fed by a filter, not by random samples
-EVA = ("bicycle_paper", "bicycle_band", "bicycle_population")
+EVA = ("bicycle_paper", "bicycle_band", "bicycle_population", "bicycle_small_population")
 _EVA_MAIN = """\
 #include "{name}_config.h"
 

@@ -80,12 +80,25 @@ def _logged(t, steer, yaw, speed, side, every, rng, L, rms):
 
 def coarse(drive, rng):
     """The same drive through a bus: rounded as cars round, some values held, and a gusty day."""
+    return rounded(gusty(drive, rng), rng)
+
+
+def gusty(drive, rng):
+    """The same drive on a day with side wind."""
     columns = dict(drive.columns)
     t = columns["t"]
     rate = 1 / np.median(np.diff(t))
     sos = butter(2, [0.05, 0.5], "bandpass", fs=rate, output="sos")
     gusts = sosfilt(sos, rng.standard_normal(t.size))
     columns["r"] = columns["r"] + rng.uniform(0, 4e-3) * gusts / gusts.std()
+    return replace(drive, columns=columns)
+
+
+def rounded(drive, rng):
+    """The same drive with values rounded as cars round, and some of them held."""
+    columns = dict(drive.columns)
+    t = columns["t"]
+    rate = 1 / np.median(np.diff(t))
     steps = {
         "delta": rng.choice([1e-5, 1.2e-4, 6e-4]),
         "r": np.deg2rad(rng.choice([0.001, 0.01, 0.1, 0.24])),

@@ -63,8 +63,27 @@ def test_shipped_scenarios_are_listed_and_shown(simulate):
         (["slalom", "--out", "drive.txt"], 2, ".parquet"),
         (["slalom", "--set", "driver.amplitude=3"], 3, "mrad"),
         (["slalom", "--set", "vehicle.m=-1 kg"], 3, "not positive"), (["slalom", "--seed", "-1"], 2, "seed"),
+        (["treadmill_hydroplaning", "--set", "plant.kind=linear"], 3, "no keys of its own"),
+        (["square_closed_loop", "--set", "driver.schedule=estimate"], 3, "sensors.r.noise"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_done_is_said_and_leaves_nothing(simulate, words, code, says):
     found, out, err = simulate(*words)
     assert (found, out) == (code, "") and says in err and list(pathlib.Path().iterdir()) == []
+
+
+def test_a_driver_may_believe_the_truth_or_the_filter_that_runs_beside(simulate):
+    """On the wet half of the belt, which has a place: all three drive differently."""
+    for schedule in ("none", "truth", "estimate"):
+        words = (
+            "--set",
+            f"driver.schedule={schedule}",
+            "--set",
+            "run.duration=14 s",
+            "--out",
+            f"{schedule}.csv",
+        )
+        code, _, err = simulate("wet_lane", *words)
+        assert (code, err) == (0, "")
+    places = [pathlib.Path(f"{name}_truth.csv").read_bytes() for name in ("none", "truth", "estimate")]
+    assert len(set(places)) == 3

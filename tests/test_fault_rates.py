@@ -56,6 +56,15 @@ UNITS = {
     "speed in m/s": (bad.scaled("U", 1 / 3.6), ("U", "km/h", 1 / 3.6)),
 }
 
+# fault of a rounded sensor on a gusty day: (how to damage, name, share found)
+ROUNDED = {
+    "steer stuck": (bad.stuck("delta"), "stuck", 0.35),
+    "yaw rate stuck": (bad.stuck("r"), "stuck", 0.65),
+    "steer clipped": (bad.clipped("delta"), "clipped", 0.45),
+    "yaw rate clipped": (bad.clipped("r"), "clipped", 0.25),
+}
+FEWER = 24  # logs, each identified twice
+
 
 @pytest.fixture(scope="module")
 def drives():
@@ -88,6 +97,28 @@ def test_a_fault_of_time_and_cells_is_found_anywhere_and_of_any_size(tmp_path, d
     right = sum(bool(names & {one.fault for one in each.findings}) for each in seen)
     print(f"\n{fault}: found in {right} of {LOGS}")
     assert right >= share * LOGS
+
+
+@pytest.mark.parametrize("fault", ROUNDED)
+def test_a_fault_of_a_rounded_sensor_is_found_or_does_not_matter(tmp_path, drives, fault):
+    """Rounding hides noise, so the car must tell; where it does not, K keeps to its interval."""
+    damage, name, share = ROUNDED[fault]
+    rng = np.random.default_rng(1)
+    became = Counter()
+    for number, drive in enumerate(drives[:FEWER]):
+        windy = bad.gusty(drive, np.random.default_rng(number))
+        sound = bad.rounded(windy, np.random.default_rng(number))
+        damaged = bad.rounded(replace(windy, columns=damage(windy, rng)), np.random.default_rng(number))
+        if name in {one.fault for one in bad.look(damaged, tmp_path).findings}:
+            became["found"] += 1
+            continue
+        (word, K), (_, before) = _read(damaged), _read(sound)
+        wrong = word in ("identified", "weak") and not K.lo <= before.value <= K.hi
+        became["wrong" if wrong else "harmless" if word in ("identified", "weak") else word] += 1
+
+    print(f"\n{fault}, rounded: {dict(became)}")
+    assert became["found"] >= share * FEWER
+    assert became["wrong"] <= 0.05 * FEWER
 
 
 @pytest.mark.parametrize("fault", UNITS)
@@ -123,10 +154,14 @@ def test_a_speed_in_kmh_is_refused_or_said_or_rarely_slips_through(tmp_path, dri
 
 
 def _verdict(drive, columns):
-    log = Log(
-        "drive", Path("drive.csv"), *(columns[name].copy() for name in ("t", "delta", "r", "U")), None, {}
-    )
+    return _read(replace(drive, columns=columns))[0]
+
+
+def _read(drive):
+    """Verdict, or that a doubt is said, and K of a drive."""
+    columns = (drive.columns[name].copy() for name in ("t", "delta", "r", "U"))
+    log = Log("drive", Path("drive.csv"), *columns, None, {})
     vehicle = Vehicle("car", L=parse_uncertain(f"{drive.L:.4f} m"))
     run = identify(log, vehicle)
     doubts = (*steer_scale_doubts(log, vehicle), *stiffness_doubts(vehicle, run.K))
-    return "said" if run.verdict == "identified" and doubts else run.verdict
+    return ("said" if run.verdict == "identified" and doubts else run.verdict), run.K

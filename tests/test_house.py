@@ -17,7 +17,7 @@ PACKAGE = ROOT / "src" / "similitude"
 FLOW = (
     "errors dimension unit unit_table unit_grammar units status",
     "program",
-    "saturation model_text_faults model_text",
+    "saturation elementary model_text_faults model_text",
     "homogeneity model_formulas",
     "model dimensional groups population reduction",
     "symmetry",
@@ -42,10 +42,13 @@ FLOW = (
     "report",
     "simulate systems generate",
     "simulation",
+    "benchmark",
     "embedded",
+    "any_model",
     "paper",
     "cli_complaint cli_usage",
-    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_paper",
+    "cli_analyze cli_inspect cli_population cli_simulate cli_compare cli_export cli_estimate cli_paper",
+    "cli_bench",
     "cli",
 )
 DRAWERS = {"utils", "util", "helpers", "helper", "common", "misc", "core"}

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from similitude.log_following import cut_off, unanswered
+from similitude.log_following import cut_off, cut_short, unanswered
 
 from .simulated_drive import drive
 
@@ -79,3 +79,21 @@ def test_a_steer_that_explains_nothing_accuses_nothing():
     log = values(seconds=40)
     log["r"] = np.random.default_rng(0).normal(0, 0.1, log["r"].size)
     assert not unanswered(log, "delta", [(500, 900)]).any()
+
+
+def test_a_yaw_rate_without_a_number_stands_at_no_end():
+    t = np.arange(400) * 0.05
+    values = {"t": t, "delta": np.sin(t), "U": np.full(t.size, 20.0), "r": np.full(t.size, np.nan)}
+
+    assert not cut_short(values, "delta").any()
+
+
+@pytest.mark.parametrize("most", [0.5, 2.0])
+def test_a_yaw_rate_that_is_cut_off_asks_for_less_than_its_steer(most):
+    """A rounded rate on the rails of its steer: cut at half its size it is found, whole it is not."""
+    t = np.arange(3000) * 0.02
+    steer = 0.02 * (np.sin(0.9 * t) + 0.5 * np.sin(2.3 * t))
+    rate = np.round(np.clip(4 * steer, -most * 0.1, most * 0.1) / 0.002) * 0.002
+    values = {"t": t, "delta": steer, "U": np.full(t.size, 20.0), "r": rate}
+
+    assert cut_short(values, "delta").any() == (most < 1)

@@ -19,6 +19,22 @@ u, p = sp.symbols("u p", real=True)
 seeds = st.integers(0, 2**32 - 1)
 
 
+def test_one_whole_step_is_its_approximant_and_exact_at_rest():
+    x, a = sp.symbols("x a", real=True)
+    made = implicit_step([a * x + u], [x], parameters={"u": sp.Integer(1)}, halves=1)
+    for z in (-0.1, -0.5, -1.0, -5.0, -1e6, 0.3):
+        scope = run_statements(made.statements, {"x": 1.0, "a": z, "u": -z, "h": 1.0})
+        M, G = (float(evaluate(e, scope)) for e in (made.by_state[0], made.by_parameter["u"][0]))
+
+        assert M == pytest.approx((1 + z / 3) / (1 - 2 * z / 3 + z * z / 6), rel=1e-9, abs=1e-12)
+        assert float(evaluate(made.after[0], scope)) == pytest.approx(1.0, rel=1e-9)  # x = 1 is at rest
+        assert G == pytest.approx((M - 1) / z, rel=1e-6)
+        if -1 <= z < 0:
+            assert M == pytest.approx(np.exp(z), rel=0.012)  # 1.2 % at |h lambda| = 1
+        if -0.5 <= z < 0:
+            assert M == pytest.approx(np.exp(z), rel=0.001)
+
+
 class Step:
     """An implicit step on numbers."""
 

@@ -7,6 +7,8 @@ import importlib
 
 # public name -> file that holds it
 _ROOMS = {
+    "Estimate": "any_model.estimate",
+    "Estimator": "any_model.estimator",
     "Log": "log",
     "Model": "model",
     "Quantity": "model",
@@ -24,6 +26,7 @@ _ROOMS = {
     "identify": "identification",
     "into_groups": "rewriting.scaling",
     "invariances": "invariance.invariances",
+    "make_estimator": "any_model.estimator",
     "mismatches_of": "model",
     "out_of_groups": "rewriting.scaling",
     "pi_groups": "dimensional.pi_groups",
@@ -31,6 +34,7 @@ _ROOMS = {
     "read_log": "log",
     "read_population": "populations.population",
     "reduce": "directions",
+    "rehearse": "any_model.rehearsal",
     "relate": "populations.relations",
     "read_scenario": "simulation.scenario",
     "read_vehicle": "vehicle_file",

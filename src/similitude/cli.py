@@ -20,8 +20,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from similitude.cli_analyze import analyze
+from similitude.cli_bench import bench
 from similitude.cli_compare import compare
 from similitude.cli_complaint import RAN, complain, exit_code
+from similitude.cli_estimate import estimate
 from similitude.cli_export import export
 from similitude.cli_inspect import inspect
 from similitude.cli_paper import paper
@@ -142,7 +144,9 @@ app.command()(population)
 app.command()(simulate)
 app.command()(compare)
 app.command()(export)
+app.command()(estimate)
 app.command()(paper)
+app.command()(bench)
 
 
 @app.command()

@@ -24,7 +24,10 @@ def export(
     ] = None,
     estimator: Annotated[
         str | None,
-        typer.Option(metavar="population|paper|band|output_error|robust|monitor", help="What to export."),
+        typer.Option(
+            metavar="population|small_population|paper|band|output_error|robust|monitor",
+            help="What to export; left out, the one a FILE.py holds.",
+        ),
     ] = None,
     real: Annotated[str | None, typer.Option(metavar="float|double", help="Type of every number.")] = None,
     target: Annotated[
@@ -50,6 +53,8 @@ def export(
         _verify(verify, system)
         return
     named = {"SYSTEM": system, "--estimator": estimator, "--real": real, "--target": target, "--out": out}
+    if system is not None and system.endswith(".py"):
+        del named["--estimator"]  # the file may hold one
     absent = [name for name, value in named.items() if value is None]
     if absent:
         raise UsageError(

@@ -81,11 +81,12 @@ class Reduced:
     def text(self) -> str:
         """The table as plain text."""
         heads = f"{'sd before':>10}{'after':>8}{'moves output':>14}{'bias if frozen':>16}"
-        lines = [f"{'unknown':<10}{'role':<10}{heads}"]
+        wide = max(10, *(len(one.name) + 2 for one in self.roles))
+        lines = [f"{'unknown':<{wide}}{'role':<10}{heads}"]
         for one in self.roles:
             mine = one.role == "identify"
             lines.append(
-                f"{one.name:<10}{one.role:<10}{one.before:>10.3f}{one.after:>8.3f}{one.move:>12.1f} σ"
+                f"{one.name:<{wide}}{one.role:<10}{one.before:>10.3f}{one.after:>8.3f}{one.move:>12.1f} σ"
                 f"{'' if mine else f'{100 * one.bias:.1f} %':>16}"
                 + ("" if one.chosen == "rule" else f"  ({one.chosen})")
             )
@@ -130,10 +131,31 @@ def reduce(
     Brennan & Alleyne 2004, section 4.
     """
     names = tuple(one.name for one in reduction.unknowns)
+    values = {**scales, **dict(zip(names, map(float, prior.of(names).mean), strict=True))}
+    return rank(reduction, prior, output_sensitivity(reduction, values, u, step) / noise, roles=roles)
+
+
+def rank(
+    reduction: Reduction, prior: Prior, slopes: NDArray, *, roles: Mapping[str, str] | None = None
+) -> Reduced:
+    """The same from slopes of the output that are at hand.
+
+    Parameters
+    ----------
+    reduction, prior, roles : as `reduce` takes them.
+    slopes : (n, unknowns) d output / d coordinate over the noise [-].
+
+    Returns
+    -------
+    Reduced
+
+    Raises
+    ------
+    UsageError    as `reduce`.
+    """
+    names = tuple(one.name for one in reduction.unknowns)
     own = prior.of(names)
-    values = {**scales, **dict(zip(names, map(float, own.mean), strict=True))}
-    s = output_sensitivity(reduction, values, u, step) / noise
-    M, S = s.T @ s, own.covariance
+    M, S = slopes.T @ slopes, own.covariance
     after = np.linalg.inv(M + np.linalg.inv(S))
     move = np.sqrt(np.diag(M) * np.diag(S))
     chosen = _roles(names, move, np.sqrt(np.diag(after) / np.diag(S)), roles or {})

@@ -119,4 +119,6 @@ def filter_config(
     }
     for i, name in enumerate(prior.names):
         values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
-    return library.config({**DESIGN, **further, **values, **changes})
+    told = {row[0] for row in library.layout.CONFIG}  # a small filter asks for less
+    own = {name: value for name, value in {**DESIGN, **further, **values}.items() if name in told}
+    return library.config({**own, **changes})

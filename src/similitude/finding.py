@@ -47,7 +47,8 @@ class Finding:
     @property
     def warning(self) -> str:
         """The finding as one line of a warning."""
-        return f"{self.what}; usually {self.usually.rstrip('.')}"
+        repair = "" if self.fix is None else f" (--fix {self.fix})"
+        return f"{self.what}; usually {self.usually.rstrip('.')}{repair}"
 
 
 def refusal(error: SimilitudeError, *, column: str = "", fix: str | None = None) -> Finding:

@@ -13,6 +13,7 @@ from similitude.estimators.output_error import output_error_method
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
 from similitude.estimators.robust import robust_regression
+from similitude.estimators.small_population import small_population_filter
 from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
@@ -28,6 +29,7 @@ def shipped() -> tuple[Program, ...]:
     reduction = bicycle_reduction()
     makers = (
         population_filter,
+        small_population_filter,
         monitor,
         paper_regression,
         band_regression,

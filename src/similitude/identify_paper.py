@@ -52,7 +52,7 @@ def identify_paper(log: Log, vehicle: Vehicle) -> Run:
     speed = float(state[library.index("state", "last_U")]) or 1.0
     bias = predicted_bias(library, config, state, noise_std=noise.std, pi3=prior.mean[0] / speed**2)
     T = design.dimensionless_step(sample_time, speed, L)
-    off = _known_errors(T, bias, looks_like_command(scan))
+    off = known_errors(T, bias, looks_like_command(scan))
     trace = _trace(library, log, outputs, status, off)
     code, reason = verdict(evidence(log, trace, prior))
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")
@@ -82,7 +82,7 @@ def _line_error(T: float) -> float:
     return design.linearity_error(T, groups["pi1"], groups["pi4_slope"], groups["pi5"])["worst"]
 
 
-def _known_errors(T: float, bias: NoiseBias, command: bool) -> float:
+def known_errors(T: float, bias: NoiseBias, command: bool) -> float:
     """Sd of ln K from what is known to be wrong, beside the scatter."""
     noise = np.log(max(1.0 + bias.relative, 1e-3))
     return float(np.sqrt(noise**2 + _line_error(T) ** 2 + FROZEN_SD**2 + (COMMAND_SD * command) ** 2))

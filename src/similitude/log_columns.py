@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from similitude.dimension import FREQUENCY
 from similitude.errors import LogError, UnitError, UsageError, shown
 from similitude.finding import Finding, refusal
 from similitude.log_names import fits_unit, other_name, unit_of
@@ -160,10 +161,13 @@ def _two(file: str, words: str, first: str, second: str, headers: Sequence[str])
     column = split_header(other)[0] if first == second else split_header(one)[0]
     if split_header(one)[0] == split_header(other)[0]:
         column = other
+    alike = one == other
     return LogError(
         f"{file} has two columns for the {words}: {shown(one)} and {shown(other)}",
-        usually="one is raw and one is computed; say which to use.",
-        paste=f'--map "{first}={column}"',
+        usually="the column was exported twice; one of the two must go by another name."
+        if alike
+        else "one is raw and one is computed; say which to use.",
+        paste=f"{one} again" if alike else f'--map "{first}={column}"',
         read=READ,
         fault="two_columns",
     )
@@ -218,10 +222,15 @@ def _unit(name: str, header: str, file: str) -> Unit:
             fault="unknown_unit",
         ) from None
     if not fits_unit(name, unit):
+        of_wheel = name == "U" and unit.dimension == FREQUENCY
         raise UnitError(
             f"{where}: unit '{text}' is no unit of a {quantity.words}; {quantity.examples} are",
-            usually="another quantity is stored under this name, or a '/s' was lost.",
-            paste=f"{label} [{quantity.si}]",
+            usually="it is how fast a wheel turns; the speed is that times its radius, 0.3 m for a car."
+            if of_wheel
+            else "another quantity is stored under this name, or a '/s' was lost.",
+            paste=f'log["U [m/s]"] = log["{header}"] * {unit.factor:.6g} * 0.31'
+            if of_wheel
+            else f"{label} [{quantity.si}]",
             read='docs/logs.md, "Units"',
             fault="wrong_dimension",
         )

@@ -18,8 +18,9 @@ from similitude.errors import UsageError, shown
 from similitude.finding import Finding
 from similitude.log_cells import slower_by
 from similitude.log_columns import Column, column_of
+from similitude.log_plausibility import fill_rows
 from similitude.log_sensors import cut_rows, spike_rows, straight_rows, stuck_rows
-from similitude.log_time import counter_period, restarts
+from similitude.log_time import counter_period, restarts, runs_of_times
 from similitude.units import parse_unit
 
 Values = dict[str, np.ndarray]
@@ -132,6 +133,22 @@ def _drop_repeated_rows(values: Values, columns: Mapping[str, Column]) -> tuple[
     return _kept(values, np.r_[True, np.diff(values["t"]) != 0], "of a time that was there left out")
 
 
+def _spread_times(values: Values, columns: Mapping[str, Column]) -> tuple[Values, str]:
+    t = values["t"]
+    first = runs_of_times(t)
+    if first is None:
+        return values, "times do not repeat evenly, nothing changed"
+    counts = np.diff(np.r_[first, t.size])
+    usual = float(np.median(np.diff(t[first]))) / float(np.median(counts[1:-1]))
+    width = np.diff(np.r_[t[first], 0.0]) / counts
+    width[[0, -1]] = usual  # of the first and the last time, some rows are not in the log
+    place = np.arange(t.size) - np.repeat(first, counts)
+    place[: counts[0]] += round(float(np.diff(t[first[:2]])[0]) / usual) - counts[0]
+    return values | {
+        "t": t + place * np.repeat(width, counts)
+    }, f"{t.size} rows spread over {first.size} times"
+
+
 def _hold_slow_columns(values: Values, columns: Mapping[str, Column]) -> tuple[Values, str]:
     held, said = dict(values), []
     for name in [name for name in ("delta", "steering_wheel", "U") if name in values]:
@@ -200,6 +217,7 @@ FIXES = {
     "drop_untimed_rows": Fix("leave out rows without a time", "t", _drop_untimed_rows),
     "sort_time": Fix("put the rows in the order of their time", "t", _sort_time),
     "drop_repeated_rows": Fix("keep the first row of each time", "t", _drop_repeated_rows),
+    "spread_times": Fix("spread rows of one rounded time evenly up to the next", "t", _spread_times),
     "yaw_rate_is_deg_per_s": Fix("read the yaw rate in deg/s", "r", _reads("r", "deg/s")),
     "yaw_rate_is_rad_per_s": Fix("read the yaw rate in rad/s", "r", _reads("r", "rad/s")),
     "steer_is_deg": Fix("read the steer in deg", "delta", _reads("delta", "deg")),
@@ -208,6 +226,12 @@ FIXES = {
     "speed_is_m_per_s": Fix("read the speed in m/s", "U", _reads("U", "m/s")),
     "flip_steer_sign": Fix("turn the sign of the steer round", "delta", _turned("delta")),
     "flip_yaw_rate_sign": Fix("turn the sign of the yaw rate round", "r", _turned("r")),
+    "flip_speed_sign": Fix("turn the sign of the speed round", "U", _turned("U")),
+    "drop_fill_values": Fix(
+        "leave cells empty that hold a number for a missing value, such as -9999",
+        "t",
+        _emptied(lambda values, name: fill_rows(values[name], name), (*SENSORS, "ay")),
+    ),
     "drop_stuck": Fix("leave cells empty in which a sensor is stuck", "t", _emptied(stuck_rows, SENSORS)),
     "drop_interpolated": Fix(
         "leave cells of the yaw rate empty that were filled in by interpolation",

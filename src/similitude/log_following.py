@@ -36,7 +36,9 @@ UNUSUAL = 2.0  # times what the steer leaves unexplained in all but a twentieth 
 BEYOND_NOISE = 3.0  # robust sds of what it leaves unexplained elsewhere
 AT_END = 0.01, 0.8  # share of the rows at an end: cut off there
 VISITS = 2
-BETTER = 0.1  # of what is left unexplained, taken away by the bulges of a steer that goes on
+PILED = 3.0  # times the rows of the next step; rounding gives a sine's peak 2.4 times at most
+BETTER = 0.05  # of what is left unexplained, taken away by the bulges of a steer that goes on
+BEYOND_END = 0.1  # sd of the yaw rate, by which a steer asks for more than its largest value
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,15 +70,18 @@ class Following:
         return np.column_stack([columns, speed, np.ones(speed.size)]), known & there
 
 
-def unanswered(values: Mapping[str, np.ndarray], name: str, held: list[tuple[int, int]]) -> np.ndarray:
-    """Rows (n,) of held stretches in which the car turns as no held steer makes it turn.
+def unanswered(
+    values: Mapping[str, np.ndarray], name: str, held: list[tuple[int, int]], *, of: str | None = None
+) -> np.ndarray:
+    """Rows (n,) of held stretches in which the car turns as no held steer makes it turn, or the reverse.
 
     Not those at an end of the range that is reached again and again: a command is limited there.
 
     Parameters
     ----------
     values : mapping of str to (n,) float64   SI: "t" rising, the steer `name`, "r" and "U"
-    held : list of (first, past the last)     rows between which the steer does not move
+    held : list of (first, past the last)     rows between which a signal does not move
+    of : str or None                          that signal: the steer, or "r"
     """
     rows = np.zeros(values["t"].size, dtype=bool)
     seen = Following.of(values, name)
@@ -85,7 +90,7 @@ def unanswered(values: Mapping[str, np.ndarray], name: str, held: list[tuple[int
     design, known = seen.design()
     answer = _Answer.of(design, seen.turned, known)
     settling = int(SETTLING * seen.t[-1] / float(values["t"][-1] - values["t"][0])) + 1
-    ends = _ends(values[name])
+    ends = _ends(values[of or name])
     for a, b in held:
         first, last = int(seen.t[a]), int(seen.t[b - 1])
         stretch = slice(first + settling, last)
@@ -180,6 +185,46 @@ def cut_off(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
         return rows
     onward = float(then[-len(BULGE_TAPS) :].sum()) * float(first[: len(TAPS)].sum())
     return ends != 0 if onward > 0 else rows
+
+
+def cut_short(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """Rows (n,) in which the yaw rate stands at an end of its range while the steer asks for more.
+
+    Noise alone lifts a largest value above what the steer asks for, so that chance speaks against a cut.
+    """
+    rates = values["r"]
+    ends = _ends(rates)
+    if ends.any():
+        ends *= _is_piled(rates)
+    rows = np.zeros(rates.size, dtype=bool)
+    seen = Following.of(values, name) if ends.any() else None
+    if seen is None:
+        return rows
+    design, known = seen.design()
+    side = np.nan_to_num(_means(seen.t, ends))
+    there = known & (np.abs(side) > 0.5)
+    answer = _Answer.of(design, seen.turned, known & (side == 0))
+    if answer is None or np.count_nonzero(there) < LEAST_BINS:
+        return rows
+    asked = answer.design @ _solved(answer.square, answer.product)
+    beyond = float(np.mean((np.sign(side) * (asked - answer.turned))[there]))
+    visits = np.count_nonzero(np.diff(there.astype(np.int8)) == 1) + int(there[0])
+    sure = max(
+        BEYOND_NOISE * answer.noise / np.sqrt(visits), BEYOND_END * float(np.std(answer.turned[known]))
+    )
+    return ends != 0 if beyond > sure else rows
+
+
+def _is_piled(x: np.ndarray) -> np.ndarray:
+    """1 (n,) where a signal is at an extreme that holds more rows than chance and rounding give it."""
+    steps = np.abs(np.diff(x))
+    step = float(np.nanquantile(steps[steps > 0], 0.01)) if np.any(steps > 0) else 0.0
+    piled = np.zeros(x.size)
+    for extreme in (np.nanmin(x), np.nanmax(x)):
+        there = x == extreme
+        next_to = np.count_nonzero(np.abs(x - extreme) < 1.5 * step) - np.count_nonzero(there)
+        piled[there] = np.count_nonzero(there) > PILED * next_to
+    return piled
 
 
 def _ends(x: np.ndarray) -> np.ndarray:

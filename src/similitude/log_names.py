@@ -14,6 +14,15 @@ from similitude.errors import UnitError, shown
 from similitude.log_quantities import AMBIGUOUS, QUANTITIES, normal_name, split_header
 from similitude.units import Unit, parse_unit
 
+# Units as they are spelt at the end of a name, where brackets and slashes are not allowed.
+SPELT = {
+    "s": "s", "sec": "s", "seconds": "s", "ms": "ms", "us": "us", "ns": "ns",
+    "deg": "deg", "degree": "deg", "degrees": "deg", "rad": "rad", "mrad": "mrad",
+    "degps": "deg/s", "dps": "deg/s", "deg_s": "deg/s", "deg_per_s": "deg/s", "degs": "deg/s",
+    "radps": "rad/s", "rps": "rad/s", "rad_s": "rad/s", "rad_per_s": "rad/s", "rads": "rad/s",
+    "mps": "m/s", "m_s": "m/s", "m_per_s": "m/s", "kmh": "km/h", "kph": "km/h", "km_h": "km/h",
+    "mph": "mph", "mps2": "m/s^2", "m_s2": "m/s^2", "ms2": "m/s^2", "g": "g",
+}  # fmt: skip
 ROUND = re.compile(r"(.*?)\s*\(([^()]+)\)\s*")
 
 
@@ -42,6 +51,9 @@ def other_name(free: Sequence[str], missing: Sequence[str], *, nothing_known: bo
             "the units stand in round brackets; square ones are read.",
             ",".join(_in_round(one) or one for one in free),
         )
+    spelt = _spelt_units(free, missing)
+    if spelt:
+        return "the units stand in the names; these lines say so.", " ".join(spelt)
     fitting = {name: _of_its_unit(name, free) for name in missing}
     if all(len(columns) == 1 for columns in fitting.values()):
         return _by_units({name: columns[0] for name, columns in fitting.items()})
@@ -80,6 +92,23 @@ def _by_units(columns: dict[str, str]) -> tuple[str, str]:
         words = "they go by other names; the units fit those of"
     wheel = " (map delta, not steering_wheel, if it is the road wheel's)" if "delta" in columns else ""
     return f"{words} {shown_headers}{wheel}.", " ".join(maps)
+
+
+def _spelt_units(headers: Sequence[str], missing: Sequence[str]) -> list[str]:
+    """Maps for headers such as ``yaw_rate_deg_s``, where all that is missing is spelt so; else none."""
+    found = {}
+    for header in headers:
+        words = normal_name(header).split("_")
+        for cut in range(1, len(words)):
+            name, unit = "_".join(words[:-cut]), SPELT.get("_".join(words[-cut:]))
+            fits = [
+                key for key, one in QUANTITIES.items() if name in one.aliases and unit and _fits(key, unit)
+            ]
+            if fits and header not in found.values():
+                found[fits[0]] = f'--map "{fits[0]}={header} [{unit}]"'
+    wanted = {"delta", "steering_wheel"} & found.keys() if "delta" in missing else {"delta"}
+    complete = bool(wanted) and all(name in found for name in missing if name != "delta")
+    return [found[name] for name in QUANTITIES if name in found] if complete else []
 
 
 def _of_its_unit(name: str, headers: Sequence[str]) -> list[str]:

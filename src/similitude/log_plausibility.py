@@ -29,12 +29,19 @@ READ = 'docs/logs.md, "Faults of units and signs"'
 
 # (quantity, the most in SI, units in which a value is often written, SI unit)
 _LIMITS = (
-    ("U", LARGEST_SPEED, ("km/h", "mm/s"), "m/s"),
+    ("U", LARGEST_SPEED, ("km/h", "cm/s", "mm/s"), "m/s"),
     ("r", LARGEST_YAW_RATE, ("deg/s", "mrad/s"), "rad/s"),
     ("delta", LARGEST_ROAD_ANGLE, ("deg", "mrad"), "rad"),
     ("steering_wheel", LARGEST_WHEEL_ANGLE, ("deg", "mrad"), "rad"),
     ("ay", LARGEST_ACCELERATION, ("m/s^2", "mg"), "m/s^2"),
 )
+
+# unit that the values look like -> repair; deg is offered for the steer, deg/s for the yaw rate
+_READ_AS = {"km/h": "speed_is_kmh", "deg/s": "yaw_rate_is_deg_per_s", "deg": "steer_is_deg"}
+FEWEST_FILLED = 3  # cells; one or two impossible values may be glitches, and are left to the estimator
+MOST_FILL_VALUES = 2  # different ones: an error has one number, or one for either end
+TURN = 2 * np.pi  # rad
+NEARLY = 0.9  # of a turn, from one row to the next
 
 # Judged at the 99th percentile: a single spike (a glitch of the bus, a blow to the gyro) is left
 # to the estimator's gate, while a wrong unit lifts the whole log and this percentile with it.
@@ -61,14 +68,85 @@ def check_units(
     """
     found = []
     for name, most, guesses, si in _LIMITS:
-        if name in values:
-            found += _above(values[name], most, column_of(name, columns), guesses, file, si)
+        if name not in values:
+            continue
+        column = column_of(name, columns)
+        filled = fill_rows(values[name], name)
+        if filled.any():
+            found.append(_fill_value(values[name], filled, column, file))
+        else:
+            found += _above(values[name], most, column, guesses, file, si)
     if {"r", "U"} <= values.keys() and not found:
         found += _above(
             values["r"], LARGEST_ACCELERATION, columns["r"], ("deg/s", "mrad/s"), file, "m/s^2",
             seen=lambda one: one * np.abs(values["U"]), label="|r| U",
         )  # fmt: skip
     return found
+
+
+def check_turns(
+    values: Mapping[str, np.ndarray], columns: Mapping[str, Column], *, file: str
+) -> dict[str, Finding]:
+    """Find angles and rates that are counted from 0 to 360 deg instead of with a sign.
+
+    Parameters
+    ----------
+    values : mapping of str to (n,) float64   SI, before a steering wheel's angle is divided by its ratio
+    columns : mapping of str to Column        where they come from
+    file : str                                name of the file
+
+    Returns
+    -------
+    dict of str to Finding                    quantity -> a certain fault
+    """
+    rows = {name: _full_turns(values[name]) for name in ("delta", "steering_wheel", "r") if name in values}
+    return {name: _counted_round(row, columns[name], file) for name, row in rows.items() if row is not None}
+
+
+def fill_rows(values: np.ndarray, name: str) -> np.ndarray:
+    """Rows (n,) that hold a number for a missing value: one or two, beyond the possible, again and again."""
+    most = {quantity: limit for quantity, limit, _, _ in _LIMITS}[name]
+    far = np.abs(values) > most
+    count = int(np.count_nonzero(far))
+    if count < FEWEST_FILLED or count > values.size / 2:
+        return np.zeros(values.size, dtype=bool)
+    _, counts = np.unique(values[far], return_counts=True)
+    constant = counts.size <= MOST_FILL_VALUES and counts.min() >= FEWEST_FILLED
+    return far if constant else np.zeros(values.size, dtype=bool)
+
+
+def _fill_value(values: np.ndarray, rows: np.ndarray, column: Column, file: str) -> Finding:
+    numbers = " and ".join(f"{one / column.unit.factor:.6g}" for one in np.unique(values[rows]))
+    first, last = (int(one) + 1 for one in np.flatnonzero(rows)[[0, -1]])
+    return Finding(
+        "fill_value", True,
+        f"column {shown(column.header)} of {file} is {numbers} {column.unit.text}, which cannot be, in "
+        f"{np.count_nonzero(rows)} of {values.size} rows, first in data row {first}",
+        "the logger writes this number where it has no measurement; this leaves the cells empty.",
+        "--fix drop_fill_values", READ, column=column.header, value=float(np.count_nonzero(rows)),
+        rows=(first, last), fix="drop_fill_values",
+    )  # fmt: skip
+
+
+def _full_turns(values: np.ndarray) -> int | None:
+    """Data row where an angle or a rate jumps by 360 deg because it is counted without a sign, or None."""
+    known = np.flatnonzero(np.isfinite(values))
+    if known.size < 2 or not NEARLY * TURN < values[known].max() <= TURN or values[known].min() < 0:
+        return None
+    jumps = np.flatnonzero(np.abs(np.diff(values[known])) > NEARLY * TURN)
+    return int(known[jumps[0] + 1]) + 1 if jumps.size else None
+
+
+def _counted_round(row: int, column: Column, file: str) -> Finding:
+    turn = TURN / column.unit.factor
+    cell = f'log["{column.header}"]'
+    return Finding(
+        "impossible_unit", True,
+        f"column {shown(column.header)} of {file} jumps by a full turn in data row {row}, never below 0",
+        f"it is counted from 0 to {turn:.6g} {column.unit.text}; an angle has a sign.",
+        f"{cell} = ({cell} + {turn / 2:.6g}) % {turn:.6g} - {turn / 2:.6g}", READ,
+        column=column.header, value=turn, rows=(row, row),
+    )  # fmt: skip
 
 
 def _above(
@@ -98,15 +176,18 @@ def _above(
         f"{column.unit.text} cannot be; {label} reaches {level:.3g} {si} for 1 % of the rows, and "
         f"{most:.3g} {si} is the most"
     )
+    fix = _READ_AS.get(guess or "")
+    words = "; this reads them so" if fix else "; write it in the header"
     found = Finding(
         "impossible_unit",
         certain=True,
         what=what,
-        usually=f"the unit is another: these values look like {guess}; write it in the header."
+        usually=f"the unit is another: these values look like {guess}{words}."
         if guess
         else "the column holds raw counts or another signal; scale it first.",
-        paste=f"{name} [{guess}]" if guess else f'--map "{name}=COLUMN"',
+        paste=f"--fix {fix}" if fix else f"{name} [{guess}]" if guess else f'--map "{name}=COLUMN"',
         read=READ,
+        fix=fix,
         column=column.header,
         value=level,
         rows=(row + 1, row + 1),

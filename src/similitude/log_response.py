@@ -29,6 +29,7 @@ ALIKE = 0.5  # correlation from which the two regressions are within a factor of
 BEYOND_CHANCE = 5.0  # sd of Fisher's z of unrelated signals with the same spectra
 SMOOTH = 0.5  # correlation of the steer with itself a bin later; below, it is mostly noise
 MIRRORED = 0.97  # correlation at which even a sine, whose phase may be chance, is worth a word
+MOSTLY_BACKWARD = 0.9  # of the moving rows; a drive in reverse gear is short
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
@@ -39,6 +40,7 @@ LEAST_SHARE = 0.67
 LARGEST_GAIN = 3.0
 TYPICAL_FROUDE = 25.0
 UNEXPLAINED = 2.5  # a single fault explains the gain within this factor, or none does
+USUAL_SIDE = 0.15  # g; rms of the lateral acceleration of a drive that is to show something
 CERTAIN = 2.0  # times beyond these bounds that no car and no noise explains
 
 READ = 'docs/logs.md, "Faults of units and signs"'
@@ -129,10 +131,11 @@ def check_response(
     if relation is None:
         return found
     if relation.opposite > relation.same and (relation.counts or relation.is_mirrored):
-        found.append(_sign(relation, columns, file))
+        backward = float(np.mean(values["U"][moving] < 0)) > MOSTLY_BACKWARD
+        found.append(_sign(relation, columns, file, backward=backward))
     elif wheelbase is not None:
         froude = float(np.nanmean(np.where(moving, values["U"], np.nan) ** 2)) / (GRAVITY * wheelbase)
-        found += _judge_gain(relation, froude, columns, file)
+        found += _judge_gain(relation, froude, columns, file, steer=_wandering(values["delta"], moving))
     return found
 
 
@@ -209,7 +212,16 @@ def _chance(x: np.ndarray, y: np.ndarray) -> float:
     return float(1 / np.sqrt(max(independent - 3, 1.0)))
 
 
-def _sign(relation: Relation, columns: Mapping[str, Column], file: str) -> Finding:
+def _sign(relation: Relation, columns: Mapping[str, Column], file: str, *, backward: bool = False) -> Finding:
+    if backward:
+        speed = columns["U"].header
+        return Finding(
+            "speed_sign", relation.is_turned,
+            f"column {shown(speed)} of {file} is negative, and the car turns to the side of its steer as it "
+            f"does when it drives forward (correlation of r and U delta {-relation.opposite:.2f})",
+            "the speed is counted the other way round.",
+            "--fix flip_speed_sign", READ, column=speed, value=-relation.opposite, fix="flip_speed_sign",
+        )  # fmt: skip
     steer, rate = (shown(column_of(name, columns).header) for name in ("delta", "r"))
     return Finding(
         "steer_sign", relation.is_turned,
@@ -221,7 +233,15 @@ def _sign(relation: Relation, columns: Mapping[str, Column], file: str) -> Findi
     )  # fmt: skip
 
 
-def _judge_gain(relation: Relation, froude: float, columns: Mapping[str, Column], file: str) -> list[Finding]:
+def _wandering(steer: np.ndarray, moving: np.ndarray) -> float:
+    """Rms of the steer about its mean while the car moves [rad]."""
+    known = steer[moving & np.isfinite(steer)]
+    return float(known.std()) if known.size else 0.0
+
+
+def _judge_gain(
+    relation: Relation, froude: float, columns: Mapping[str, Column], file: str, *, steer: float
+) -> list[Finding]:
     least = LEAST_SHARE / (1 + froude / LEAST_FROUDE)
     high = min(relation.high, relation.most) if relation.counts else relation.most
     large = relation.low / LARGEST_GAIN if relation.counts else 0.0
@@ -231,7 +251,7 @@ def _judge_gain(relation: Relation, froude: float, columns: Mapping[str, Column]
         return []
     typical = 1 / (1 + froude / TYPICAL_FROUDE)
     slope = min(relation.slope, relation.most)
-    usually, paste, fix = _explain(slope / typical, columns)
+    usually, paste, fix = _explain(slope / typical, columns, steer * froude / USUAL_SIDE)
     rate = column_of("r", columns).header
     bound = f"at most {LARGEST_GAIN:g}" if large > small else f"at least {least:.2g} at this speed"
     return [Finding(
@@ -242,8 +262,12 @@ def _judge_gain(relation: Relation, froude: float, columns: Mapping[str, Column]
     )]  # fmt: skip
 
 
-def _explain(factor: float, columns: Mapping[str, Column]) -> tuple[str, str, str | None]:
-    """The single fault that makes the gain wrong by this factor: words, line to paste, repair."""
+def _explain(factor: float, columns: Mapping[str, Column], likely: float) -> tuple[str, str, str | None]:
+    """The single fault that makes the gain wrong by this factor: words, line to paste, repair.
+
+    A steer too large by 57 and a yaw rate too small by 57 look alike; that one goes first under which
+    the steer is nearest to what drivers steer at this speed: ``likely`` is its size over that.
+    """
     rate, steer, speed = (column_of(name, columns) for name in ("r", "delta", "U"))
     name = split_header(steer.header)[0]
     degree = np.pi / 180
@@ -272,6 +296,8 @@ def _explain(factor: float, columns: Mapping[str, Column]) -> tuple[str, str, st
     if distances[0][0] > np.log(UNEXPLAINED):
         return "the wheelbase, the steering ratio or a unit is wrong.", 'L = "2.69 m"', None
     near = [one for one in distances if one[0] < distances[0][0] + 0.1]
+    in_rad = {"steer_is_deg": degree / steer.unit.factor, "steer_is_rad": 1 / steer.unit.factor}
+    near.sort(key=lambda one: abs(np.log(max(likely, 1e-9) * in_rad.get(one[2], 1.0))))
     words = ", or ".join(one[1] for one in near)
     repair = near[0][2]
     if repair.startswith("--map"):

@@ -15,7 +15,7 @@ import numpy as np
 from similitude.errors import shown
 from similitude.finding import Finding
 from similitude.log_columns import Column, column_of
-from similitude.log_following import cut_off, unanswered
+from similitude.log_following import cut_off, cut_short, unanswered
 from similitude.log_plausibility import STANDSTILL
 
 CHANCE = 1e-3  # expected number of such stretches in the log, were it chance
@@ -110,26 +110,37 @@ def stuck_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
         # A driver holds a wheel still, and rounded angles repeat; the car tells.
         held = [(a, b + 1) for a, b in zip(starts[~short], stops[~short], strict=True)]
         return unanswered(values, name, held)
+    unmoved = np.zeros(x.size, dtype=bool)
+    if name == "r" and (repeats > CLEAN_REPEATS or _is_coarse(x)):
+        steers = [steer for steer in STEERS if steer in values]
+        held = [(a, b + 1) for a, b in zip(starts[~short], stops[~short], strict=True)]
+        unmoved = unanswered(values, steers[0], held, of="r") if steers else unmoved
     if repeats > MOST_REPEATS or elsewhere < same.size / 2:
-        return np.zeros(x.size, dtype=bool)
+        return unmoved
     long = ~short & (stops - starts >= _longest_by_chance(repeats, same.size))
     if "U" in values:
         speed = np.r_[0.0, np.nancumsum(np.abs(values["U"]))]
         long &= (speed[stops + 1] - speed[starts]) / (stops + 1 - starts) > STANDSTILL
-    return _rows(starts[long], stops[long] + 1, x.size)
+    return _rows(starts[long], stops[long] + 1, x.size) | unmoved
 
 
 def _is_coarse(x: np.ndarray) -> bool:
     """Whether a signal moves by a few steps of one size: without noise, a driver may hold it still."""
     moved = np.diff(x)
     moved = moved[np.isfinite(moved) & (moved != 0)]
-    return np.unique(np.round(moved / (np.abs(moved).min(initial=np.inf) / 4))).size < MOST_STEPS * moved.size
+    step = max(float(np.abs(moved).min(initial=np.inf)) / 4, 1e-300)  # the smallest of floats has no quarter
+    return np.unique(np.round(moved / step)).size < MOST_STEPS * moved.size
 
 
 def cut_rows(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     """Rows (n,) in which a sensor is at the end of its range, by its own values or by what the car does."""
     rows = clipped_rows(values[name])
-    return rows if rows.any() or name not in STEERS else cut_off(values, name)
+    if rows.any():
+        return rows
+    if name in STEERS:
+        return cut_off(values, name)
+    steers = [steer for steer in STEERS if steer in values]
+    return cut_short(values, steers[0]) if steers else rows
 
 
 def clipped_rows(x: np.ndarray) -> np.ndarray:
@@ -192,7 +203,11 @@ def straight_rows(t: np.ndarray, x: np.ndarray) -> np.ndarray:
     elsewhere = straight.size - int((stops - starts)[long].sum())
     by_chance = int((stops - starts)[~long].sum()) / max(elsewhere, 1)
     bent = ~straight & np.isfinite(bend)
-    if by_chance > MOST_REPEATS and np.median(np.abs(bend[bent]) / (rounding[bent] + 1e-300)) > KINK:
+    if (
+        by_chance > MOST_REPEATS
+        and bent.any()
+        and np.median(np.abs(bend[bent]) / (rounding[bent] + 1e-300)) > KINK
+    ):
         long[:] = True  # every few rows one was measured, and lines lead from one to the next
     elif _is_noise(bend[bent]):
         long &= stops - starts >= _longest_by_chance(by_chance, straight.size)

@@ -9,6 +9,8 @@ the same stays in `values`. Nothing is changed unless its repair was asked for b
 
 from __future__ import annotations
 
+import re
+import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,7 +23,7 @@ from similitude.finding import Finding, refusal
 from similitude.log_cells import check_column
 from similitude.log_columns import Column, choose_columns, column_of
 from similitude.log_fixes import apply_fixes, check_fixes
-from similitude.log_plausibility import check_speed, check_units
+from similitude.log_plausibility import check_speed, check_turns, check_units
 from similitude.log_response import check_response
 from similitude.log_sensors import check_sensors
 from similitude.log_speed import check_speed_signal
@@ -29,6 +31,7 @@ from similitude.log_time import FEWEST_ROWS, check_time
 from similitude.readers import Table, open_table
 from similitude.vehicle_file import Vehicle
 
+THIS_LOG = re.compile(r"(?<![A-Z_])LOG\.csv")  # in a line to paste
 NOTHING: Mapping[str, str] = MappingProxyType({})
 # repair -> the fault of a cell that it makes a missing one
 BLANKED = {"blank_text": "text_in_cell", "keep_longest_part": "header_again"}
@@ -113,6 +116,9 @@ def survey(
     findings += doubts
     values, met = _load(table, columns, {BLANKED[name] for name in wanted if name in BLANKED})
     findings += met
+    turned = check_turns(values, columns, file=path.name)
+    findings += turned.values()
+    values = {name: column for name, column in values.items() if name not in turned}
     sources = {name: _source(column) for name, column in columns.items()}
     findings += _divide_steering_wheel(values, sources, columns, vehicle, path.name)
     values, changed = apply_fixes(wanted, values, columns, findings)
@@ -120,6 +126,8 @@ def survey(
     findings += _check(values, columns, path.name, length)
     for name in columns.keys() - values.keys():
         sources.pop(name, None)
+    named = shlex.quote(str(path))
+    findings = [replace(one, paste=THIS_LOG.sub(lambda _: named, one.paste)) for one in findings]
     return Survey(path.stem, path, table.headers, columns, values, sources, tuple(findings), changed)
 
 

@@ -19,6 +19,10 @@ LONG_GAP = 1.0  # s; a car's yaw motion has died out, so the dynamic state resta
 LARGEST_STEP = 3600.0  # s; no recording pauses for an hour
 SHORTEST_JUMP = 60.0  # s; below, 1000 lost samples are a gap, above, the clock was set
 LOST_SAMPLE = 1.8  # usual steps: one sample was lost; the jitter of a bus stays below
+FEWEST_TIMES = 2  # different times between the first and the last, before rows are spread over them
+EVEN, EVEN_SHARE = 0.25, 0.9  # rows of a rounded time differ so little in number, nine times in ten
+COARSE_CLOCK = 0.05  # s
+SLOWEST = 0.22  # s; below 5 rows a second the yaw motion of a car happens between two rows
 SINCE_1970 = 1e8  # s; three years: nobody drives so long, so time counts from some epoch
 
 # Counters that start anew: (their period [s], what they count)
@@ -83,6 +87,21 @@ def restarts(t: np.ndarray) -> np.ndarray:
     return np.flatnonzero(~(dt > 0) & ~(dt == 0) | (dt > _jump(usual))) + 1
 
 
+def runs_of_times(t: np.ndarray) -> np.ndarray | None:
+    """First rows of each time, (k,), where rounded times repeat about equally often; None elsewhere.
+
+    What is left out of it are rows that were written twice, and clocks that stood still for a while.
+    """
+    first = np.r_[0, np.flatnonzero(np.diff(t) != 0) + 1]
+    counts = np.diff(np.r_[first, t.size])
+    inner, steps = counts[1:-1], np.diff(t[first])
+    if inner.size < FEWEST_TIMES or np.median(inner) < 2:
+        return None
+    even = np.abs(inner - np.median(inner)) <= np.maximum(1, EVEN * np.median(inner))
+    equal = np.abs(steps - np.median(steps)) <= 0.5 * np.median(steps)
+    return first if min(np.mean(even), np.mean(equal)) >= EVEN_SHARE else None
+
+
 def counter_period(fall: float, usual: float) -> float | None:
     """Return the period [s] of the counter whose start explains a fall of time [s], or None."""
     for period, _ in COUNTERS:
@@ -119,12 +138,23 @@ def _disorder(t: np.ndarray, dt: np.ndarray, header: str, column: str, factor: f
     rows = (first + 2, int(wrong[-1]) + 2)
     pair = f"{t[first] / factor:.9g} is followed by {t[first + 1] / factor:.9g}"
     if repeated == dt.size:
+        rough = float(np.spacing(np.float32(abs(t[0]) / factor))) * factor > COARSE_CLOCK
         return [_refused(
             "time_stands", header, f"{column} is {t[0] / factor:.9g} in all {t.size} rows",
-            "the clock of the logger stood still, or another column holds the time.",
+            "the time was stored in single precision, which holds seven digits: log it from zero on."
+            if rough
+            else "the clock of the logger stood still, or another column holds the time.",
             '--map "t=COLUMN"', rows=rows,
         )]  # fmt: skip
     where = f"in data row {rows[0]}: {pair}"
+    if not fallen.size and runs_of_times(t) is not None:
+        share = t.size / (dt.size - repeated + 1)
+        return [_refused(
+            "time_coarse", header,
+            f"{column} has too few digits: {share:.3g} rows have one time, first {where}",
+            "the rows are evenly apart and their time was rounded; this spreads them between the times.",
+            fix="spread_times", value=share, rows=rows,
+        )]  # fmt: skip
     if not fallen.size:
         return [_refused(
             "time_repeats", header,
@@ -166,14 +196,18 @@ def _pace(usual: float, header: str, column: str) -> list[Finding]:
                 f"{column}: the usual step is {usual:.6g} s, too slow for a driving log",
                 f"these values look like {unit}.", f"{name} [{unit}]", value=usual,
             )]  # fmt: skip
-    if 2e-5 <= usual <= 1.0:
+    if 2e-5 <= usual <= SLOWEST:
         return []
-    slow = usual > 1.0
+    if usual > SLOWEST:
+        words, unit = "the log was thinned out; 20 rows a second are enough", "s"
+    else:
+        unit = "min" if usual * 60 >= 1e-3 else "h" if usual * 3600 >= 1e-3 else "d"
+        words = f"these values look like {unit}"
+    pace = "slow" if unit == "s" else "fast"
     return [_refused(
-        "time_unit", header,
-        f"{column}: the usual step is {usual:.3g} s, too {'slow' if slow else 'fast'} for a driving log",
-        "the log was thinned out; 20 rows a second are enough." if slow else "these values look like s.",
-        f"{name} [s]", value=usual,
+        "time_unit", header, f"{column}: the usual step is {usual:.3g} s, too {pace} for a driving log",
+        f"{words}.", "similitude identify LOG_WITH_MORE_ROWS.csv" if unit == "s" else f"{name} [{unit}]",
+        value=usual,
     )]  # fmt: skip
 
 

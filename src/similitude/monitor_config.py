@@ -51,7 +51,14 @@ DESIGN = {
 }
 THRESHOLD = 9.0
 BETWEEN_FALSE_ALARMS = 9.6  # h, with that threshold: five in 48 h, at least 4.6 h with 95 %
-MEASURED = ((5.0, 0.44), (6.0, 1.6), (7.0, 3.8), (9.0, 9.6), (10.0, 24.0))  # threshold, h between alarms
+MEASURED = (
+    (5.0, 0.38),
+    (6.0, 1.5),
+    (7.0, 3.2),
+    (8.0, 4.8),
+    (9.0, 9.6),
+    (10.0, 12.0),
+)  # threshold, h between alarms
 RISE_MORE = 4.0  # a fall is a danger, a rise is not
 
 

@@ -24,6 +24,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from similitude.elementary import spelt_functions
 from similitude.matrix_function import MatrixFunction
 from similitude.program.ir import Assign, shared
 from similitude.saturation import arguments, spelt
@@ -53,6 +54,7 @@ def implicit_step(
     parameters: Mapping[str, sp.Expr],
     companion: Mapping[sp.Symbol, sp.Symbol] | None = None,
     ramp: tuple[str, sp.Symbol] | None = None,
+    halves: int = 2,
 ) -> ImplicitStep:
     """Derive the step for the given rates.
 
@@ -65,6 +67,9 @@ def implicit_step(
         trajectory itself.
     ramp : name of the parameter that is an input, and symbol of its change over the step; none: all
         inputs are held.
+    halves : 2: two half steps, as above; 1: one whole step of the same approximant,
+        M = N^-1 (I + J), G = h N^-1 (I - J/2) with J = (h/3) df/dx, for a third fewer operations: within
+        1.2 % of the exponential at |h lambda| = 1, 0.1 % at one half. Takes no ramp.
 
     Returns
     -------
@@ -75,13 +80,18 @@ def implicit_step(
     J = f.jacobian(sp.Matrix(states))
     scaled = _matrix(n, "J", lambda i, j: J[i, j] != 0)
     path = companion or {}
-    lines = _shared(f, J, states, parameters, path) + _inverse(scaled, n, ramped=ramp is not None)
+    weights: list[sp.Expr] = []
+    if halves == 2:
+        inverted, weights = _inverse(scaled, n, ramped=ramp is not None)
+    else:
+        inverted = _whole_step(scaled, n)
+    lines = _shared(f, h / (3 * halves) * J, states, parameters, path) + inverted
     M, G = (_matrix(n, letter, lambda i, j: True) for letter in "MG")
     rate = sp.Matrix([sp.Symbol(f"f_{x.name}", real=True) for x in states])
     change = sp.Matrix([sp.Symbol(f"d_{x.name}", real=True) for x in states])
     rising = sp.zeros(n, 1)
     if ramp is not None:
-        lines += _ramp(scaled, states, *ramp)
+        lines += _ramp(scaled, states, weights, *ramp)
         rising = sp.Matrix([sp.Symbol(f"rise_{x.name}", real=True) for x in states])
     moves = G * rate + rising
     lines += [Assign(f"d_{x.name}", moves[i], "change over the step [-]") for i, x in enumerate(states)]
@@ -106,18 +116,20 @@ def _shared(
     parameters: Mapping[str, sp.Expr],
     path: Mapping[sp.Symbol, sp.Symbol],
 ) -> list[Assign]:
-    """Rates, (h/6) df/dx and df/dp with their common parts taken out together, each reciprocal once."""
+    """Rates, scaled df/dx and df/dp with their common parts taken out together, each reciprocal once."""
     named = {f"f_{x.name}": f[i] for i, x in enumerate(states)}
     named |= {f"f_{path[x].name}": f[i].xreplace(path) for i, x in enumerate(states) if x in path}
-    named |= {f"J_{i}{j}": h / 6 * J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0}
+    named |= {f"J_{i}{j}": J[i, j] for i in range(len(f)) for j in range(len(f)) if J[i, j] != 0}
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
+    functions, named = spelt_functions(named)
     loads = arguments(named)
     named, reciprocals = _reciprocals(named | loads)
     loads = {name: named.pop(name) for name in loads}
     saturated, named = spelt(named, loads)
     return [
+        *functions,
         *reciprocals,
         *shared("s", loads, dict.fromkeys(loads, "force over its limit [-]")),
         *saturated,
@@ -135,14 +147,14 @@ def _reciprocals(named: Mapping[str, sp.Expr]) -> tuple[dict[str, sp.Expr], list
     return {name: e.xreplace(replace) for name, e in named.items()}, lines
 
 
-def _ramp(J: sp.Matrix, states: Sequence[sp.Symbol], name: str, change: sp.Symbol) -> list[Assign]:
+def _ramp(
+    J: sp.Matrix, states: Sequence[sp.Symbol], weights: Sequence[sp.Expr], name: str, change: sp.Symbol
+) -> list[Assign]:
     """Statements for ``rise_<state>``, what the input's straight line adds to its mean."""
     n = len(states)
     slope = sp.Matrix([sp.Symbol(f"f_{x.name}_{name}", real=True) for x in states])
     lines = [Assign("ramp", h * change)]
-    lines += [
-        Assign(f"ramp_{k}", sp.Symbol(f"w{k}", real=True) * sp.Symbol("ramp", real=True)) for k in range(n)
-    ]
+    lines += [Assign(f"ramp_{k}", weights[k] * sp.Symbol("ramp", real=True)) for k in range(n)]
     total, power = sp.zeros(n, 1), slope
     for k in range(n):
         total += sp.Symbol(f"ramp_{k}", real=True) * power
@@ -154,8 +166,8 @@ def _ramp(J: sp.Matrix, states: Sequence[sp.Symbol], name: str, change: sp.Symbo
     return lines + [Assign(f"rise_{x.name}", total[i], rise if i == 0 else "") for i, x in enumerate(states)]
 
 
-def _inverse(J: sp.Matrix, n: int, *, ramped: bool) -> list[Assign]:
-    """Statements for M = dx+/dx, G = change of the states per rate, and the coefficients of W."""
+def _inverse(J: sp.Matrix, n: int, *, ramped: bool) -> tuple[list[Assign], list[sp.Expr]]:
+    """Statements for M = dx+/dx and G = change of the states per rate; W/h in powers of J."""
     of = MatrixFunction(J)
     N = of.named("n", of.reduced([1, -2, sp.Rational(3, 2)]))
     D = of.inverse(N, "i", "det N > 0 for every real J")
@@ -163,12 +175,23 @@ def _inverse(J: sp.Matrix, n: int, *, ramped: bool) -> list[Assign]:
     H = of.named("H", of.product(D, of.reduced([h / 2, -h / 4])), "change per rate over half a step")
     whole = of.named("m", of.product(E, E))
     change = of.named("g", of.product(H, of.reduced([E[0] + 1, *E[1:]])))
+    weights: list[sp.Expr] = []
     if ramped:
         inner = of.reduced([0, -sp.Rational(1, 2), sp.Rational(7, 16), -sp.Rational(3, 16)])
         half = of.named("wh", of.product(D, of.named("wi", inner)))
-        of.named("w", of.product(D, half), "W/h in powers of J")
+        weights = of.named("w", of.product(D, half), "W/h in powers of J")
     of.matrix(whole, "M", "dx+/dx")
     of.matrix(change, "G", "change per rate")
+    return of.lines, weights
+
+
+def _whole_step(J: sp.Matrix, n: int) -> list[Assign]:
+    """Statements for M and G of one step of the approximant."""
+    of = MatrixFunction(J)
+    N = of.named("n", of.reduced([1, -2, sp.Rational(3, 2)]))
+    D = of.inverse(N, "i", "det N > 0 for every real J")
+    of.matrix(of.named("m", of.product(D, of.reduced([1, 1]))), "M", "dx+/dx")
+    of.matrix(of.named("g", of.product(D, of.reduced([h, -h / 2]))), "G", "change per rate")
     return of.lines
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.log import Log
+from similitude.log_cells import slower_by
 from similitude.population import Prior
 from similitude.run import Trace
 from similitude.status import STATUS
@@ -60,7 +61,7 @@ def evidence(
     log: Log, trace: Trace, prior: Prior, *, noise_scale: float = 1.0, at_limit: tuple[str, ...] = ()
 ) -> Evidence:
     """Collect what a verdict rests on from an estimator's trace over a log."""
-    missing = ~(np.isfinite(log.r) & np.isfinite(log.delta) & np.isfinite(log.U))
+    missing = _unmeasured(log.r) | ~(np.isfinite(log.delta) & np.isfinite(log.U))
     return Evidence(
         ln_K_std=float(trace.ln_K_std[-1]),
         prior_std=float(prior.std[0]),
@@ -73,6 +74,17 @@ def evidence(
         at_limit=at_limit,
         finite=bool(np.isfinite(trace.K).all() and np.isfinite(trace.ln_K_std).all()),
     )
+
+
+def _unmeasured(rate: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Rows without a yaw rate, save those between two values of a sensor that is slower than the file."""
+    missing = ~np.isfinite(rate)
+    every = slower_by(rate) if missing.any() else None
+    if every is None:
+        return missing
+    known = np.flatnonzero(~missing)
+    last = np.searchsorted(known, np.arange(rate.size), side="right") - 1
+    return (last < 0) | (np.arange(rate.size) - known[np.maximum(last, 0)] > every + 1)
 
 
 def verdict(e: Evidence) -> tuple[str, str]:

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from similitude.paper import printed
-from similitude.paper.bode import step_response
-from similitude.paper.claims_invariance import invariance_claims, solved
+from similitude.paper.bode import response, step_response
+from similitude.paper.claims_invariance import degree, invariance_claims
 
 from .pinned import check
 
@@ -17,7 +17,12 @@ def test_claims_are_the_pinned_ones():
 def test_three_sensitivities_follow_whichever_three():
     _, S = step_response(printed.TEST_VEHICLE, 0.15)
     for wanted in (("m", "Iz", "Caf"), ("m", "a", "U"), ("Iz", "b", "t")):
-        assert solved(S, wanted) == pytest.approx([S[n] for n in wanted], abs=1e-9)
+        found = response("time").solve_for(wanted, {n: x for n, x in S.items() if n not in wanted})
+        assert [found[n] for n in wanted] == pytest.approx([S[n] for n in wanted], abs=1e-9)
+
+
+def test_degrees_are_those_of_the_powers():
+    assert degree("x*y**2/z", "x", "y", "z") == 2 and degree("sqrt(x)", "x") == 0.5
 
 
 def test_time_counts_because_a_clock_has_a_unit_too():

@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 
 from similitude.paper import printed
-from similitude.paper.claims_population import origin_slopes, poles, population_claims, share_below_zero
+from similitude.paper.claims_population import (
+    moved,
+    origin_slopes,
+    poles,
+    population_claims,
+    share_below_zero,
+)
 
 from .pinned import check
 
@@ -58,3 +64,10 @@ def test_the_average_slope_is_that_of_five_cars():
 
     assert found["sec4-scatter"].ours == pytest.approx(np.std(np.log(k), ddof=1), abs=0.01)
     assert math.isclose(found["eq18-slope"].printed, 1.0977)
+
+
+def test_the_average_of_the_first_thirty_moves_as_said():
+    """By drawing fleets of 700 and comparing the mean of their first 30 with that of all."""
+    fleets = np.random.default_rng(1).normal(1.0, 0.1, (20_000, 700))
+
+    assert moved(0.1) == pytest.approx(np.std(fleets[:, :30].mean(axis=1) - fleets.mean(axis=1)), rel=0.02)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from similitude.paper.drives import NOISE, RunningFilter, population_reads, prior_of, regression_reads, square
+from similitude.paper.drives import NOISE, drive_of, prior_of, regression_reads, square
 from similitude.simulation.scenario import read_scenario
 
 
@@ -22,18 +22,12 @@ def test_stiffness_is_halved_every_other_ten_seconds():
     assert drive.pi3[drive.during(10, 20)].max() < 0.14 and drive.pi3[drive.during(0, 10)].min() > 0.27
 
 
-def test_the_filter_beside_a_drive_says_what_it_says_of_the_log():
-    drive = square()
-    rows = slice(0, 3000)
-    beside = RunningFilter(drive.scenario)
-    said = [
-        beside(*row)
-        for row in zip(drive.t[rows], drive.delta[rows], drive.r_gyro[rows], drive.U[rows], strict=True)
-    ]
-    K, _ = population_reads(drive, drive.r_gyro)
+def test_the_gain_that_follows_drives_otherwise():
+    changes = {"run.duration": "14 s"}
+    fixed = drive_of(read_scenario("wet_lane", changes=changes))
+    follows = drive_of(read_scenario("wet_lane", changes=changes | {"driver.schedule": "estimate"}))
 
-    assert np.array(beside.heard) == pytest.approx(K[rows], rel=1e-12)
-    assert said[-1] == pytest.approx(K[rows][-1] / 16)
+    assert np.array_equal(fixed.wanted, follows.wanted) and not np.array_equal(fixed.y, follows.y)
 
 
 def test_the_regression_starts_where_it_is_told():

@@ -82,7 +82,7 @@ REFUSED = {
     "a word": (
         HEADER + ROWS.replace("0.05,2.5", "0.05,off"), r"'r \[deg/s\]' .*data row 6: 'off'", "--fix",
     ),
-    "a unit row": ("t,r\ns,deg/s\n0.01,1\n", "data row 1: 's' is no number", "t [s]"),
+    "a unit row": ("t,r\ns,deg/s\n0.01,1\n", "line 2 of drive.csv is a second header", "(echo 't [s]"),
     "a word, decimal comma": ("t;r\n0,01;1\n0,02;x\n", "'r'.*data row 2: 'x'", "--fix"),
     "both decimal signs": (
         "t;r\n0,01;1\n0.02;2\n",
@@ -93,7 +93,7 @@ REFUSED = {
     "a long row at the end": ("t,r\n0.01,1\n0.02,2,3\n", "data row 2 .* has 3 cells", "t,r"),
     "no rows": ("t,r\n", "a header but no rows", ""),
     "no header": ("0.01,1.5\n0.02,2.5\n", "begins with numbers", "t [s]"),
-    "blanks between": ("t [s] r [deg/s]\n0.01 1\n", "no comma, semicolon or tab", "t [s],r"),
+    "blanks between": ("t [s] r [deg/s]\n0.01 1\n", "no comma, semicolon or tab", "sed -E"),
 }  # fmt: skip
 
 
@@ -128,12 +128,12 @@ def test_a_header_that_stands_again_is_known_and_can_be_blanked(load, tmp_path):
     np.testing.assert_array_equal(loaded.columns[0], [0.01, 0.02, np.nan, 0.01])
 
 
-@pytest.mark.parametrize(("cell", "paste"), [("1,234.5", "1234.5"), ("#REF!", "--fix blank_text")])
+@pytest.mark.parametrize(("cell", "paste"), [("1,234.5", "python3 -c"), ("#REF!", "--fix blank_text")])
 def test_text_in_a_cell_is_named_with_its_row_and_left_out_on_request(load, tmp_path, cell, paste):
     with pytest.raises(LogError, match=f"data row 2: '{cell}' is no number") as caught:
         load(f't,r\n0.01,1\n0.02,"{cell}"\n0.03,3\n')
 
-    assert (caught.value.fault, caught.value.paste) == ("text_in_cell", paste)
+    assert caught.value.fault == "text_in_cell" and caught.value.paste.startswith(paste)
     loaded = open_table(tmp_path / "drive.csv").load([1], blanked=["text_in_cell"])
     np.testing.assert_array_equal(loaded.columns[0], [1, np.nan, 3])
     assert loaded.findings[0].value == 1

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from similitude.readers.csv_text import take_apart
+from similitude.readers.csv_text import take_apart, wide_text
 
 
 @pytest.mark.parametrize(
@@ -22,3 +22,13 @@ def test_a_file_comes_apart(raw, headers, separator, body):
     text = take_apart(Path("drive.csv"), raw)
 
     assert (text.headers, text.separator, text.body) == (headers, separator, body)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_two_bytes_a_character_are_told_without_a_mark(tmp_path, encoding):
+    text = "t [s],r [rad/s]\n" + "".join(f"{0.01 * k:.2f},0.1\n" for k in range(9))
+
+    assert wide_text(text.encode(encoding)) == encoding
+    assert take_apart(tmp_path / "log.csv", text.encode(encoding)).headers == ("t [s]", "r [rad/s]")
+    assert wide_text(text.encode()) is None
+    assert wide_text(bytes(64)) is None

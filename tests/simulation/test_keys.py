@@ -98,3 +98,17 @@ def test_a_kind_says_which_table_it_is():
     for given, says in (({"kind": "wheal"}, "'wheal' is not known"), ({}, "has no 'kind'"), (3, "no 'kind'")):
         with pytest.raises(ScenarioError, match=says):
             read_kind(kinds, given, PLACE)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plain:
+    """A kind without keys."""
+
+
+def test_keys_left_beside_a_kind_that_has_none_are_refused():
+    with pytest.raises(
+        ScenarioError, match="'radius', 'wide' cannot be said of cart kind = 'plain'"
+    ) as refused:
+        read_kind({"plain": Plain}, {"kind": "plain", "radius": "1 m", "wide": 2}, PLACE)
+    assert refused.value.paste == "--set 'cart={ kind = \"plain\" }'" and refused.value.usually
+    assert read_kind({"plain": Plain}, {"kind": "plain"}, PLACE) == Plain()

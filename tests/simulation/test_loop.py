@@ -1,10 +1,13 @@
 """The loop: closed loops follow, feedback feels the gyro, schedules believe whom they should."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from similitude.errors import ScenarioError
 from similitude.simulation.loop import drive
+from similitude.simulation.recording import run_scenario
 from similitude.simulation.scenario import read_scenario
 
 from .quiet_drive import SATURATING, quiet
@@ -84,6 +87,38 @@ def test_a_schedule_that_believes_the_truth_and_one_that_is_told_it_agree():
     assert np.abs(fixed.seen.y - truth.seen.y).max() > 1e-4
     with pytest.raises(ScenarioError, match="needs an estimate"):
         loop(driver__schedule="estimate")
+
+
+def test_the_truth_that_is_believed_lies_under_the_car():
+    """Everywhere it is one without a place; where it begins on the way it is what the truth says."""
+    short = {
+        "run__duration": "3 s",
+        "run__step": "2 ms",
+        "run__log_rate": "500 Hz",
+        "driver__schedule": "truth",
+    }
+    everywhere = loop(road="{ surface = [{ stiffness = 0.3 }] }", **short)
+    placed = loop(road='{ surface = [{ x_from = "-1 m", stiffness = 0.3 }] }', **short)
+    assert np.array_equal(placed.seen.y, everywhere.seen.y)
+
+    beyond = '{ surface = [{ x_from = "5 m", stiffness = 0.3 }] }'
+    scenario = read_scenario("square_closed_loop", changes={
+        "run.duration": "3 s", "driver.schedule": "truth", "road": beyond})  # fmt: skip
+    (truth,) = run_scenario(scenario, [0])
+    pi3 = dict(zip(np.round(truth.truth["t [s]"], 6), truth.truth["pi3 [-]"], strict=True))
+    told = replace(scenario, driver=replace(scenario.driver, schedule="estimate"))
+    (other,) = run_scenario(told, [0], estimate=lambda t, steer, r, U: pi3[round(t, 6)])
+    assert np.abs(other.truth["y [m]"] - truth.truth["y [m]"]).max() < 1e-12
+    fixed = run_scenario(replace(scenario, driver=replace(scenario.driver, schedule="none")), [0])[0]
+    assert np.abs(fixed.truth["y [m]"] - truth.truth["y [m]"]).max() > 1e-4
+
+
+def test_one_gain_may_be_that_of_another_stiffness():
+    halved = {"road__surface": "[{ stiffness = 0.5 }]", "run__duration": "1 s"}
+    one, other = loop(driver__design_stiffness="0.5", **halved), loop(driver__schedule="truth", **halved)
+    # the schedule is interpolated over steps of 12 %
+    assert np.abs(one.seen.y - other.seen.y).max() < 1e-3 * np.abs(other.seen.y).max()
+    assert np.abs(one.seen.y - loop(**halved).seen.y).max() > 1e-3
 
 
 def test_many_cars_in_a_closed_loop_are_each_the_one():

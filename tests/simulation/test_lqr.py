@@ -1,5 +1,7 @@
 """The paper's controller: its printed gain, its path, its loop."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -71,8 +73,6 @@ def test_the_integral_rests_at_the_limit():
 
 
 def test_a_scheduled_gain_is_that_of_the_stiffness():
-    from dataclasses import replace
-
     follower = Follower(replace(DRIVER, schedule="truth"), PAPER, T)
     soft = lqr_gain(PAPER, DRIVER, stiffness=0.5)
     state = np.array([0.01, 0.02, 0.03, 0.04])
@@ -80,9 +80,15 @@ def test_a_scheduled_gain_is_that_of_the_stiffness():
     assert follower.command(0, *state, 0.5) == pytest.approx(-soft[1:] @ state, rel=2e-3)
 
 
-def test_weights_and_points_that_do_not_fit_are_refused():
-    from dataclasses import replace
+@pytest.mark.parametrize("stiffness", [0.01, 0.1, 0.31, 1.0, 3.99, 4.0, 90.0])
+def test_one_car_and_many_have_the_same_scheduled_gain(stiffness):
+    follower = Follower(replace(DRIVER, schedule="truth"), PAPER, T)
+    many = np.ravel(follower._scheduled(np.array([stiffness])))
 
+    assert follower._scheduled(stiffness) == pytest.approx(many, rel=1e-12)
+
+
+def test_weights_and_points_that_do_not_fit_are_refused():
     for wrong, named in (
         ({"weights": (1.0, 2.0)}, "5 states"),
         ({"path": Path(times=(1.0,), offsets=())}, "1 times and 0 offsets"),

@@ -5,7 +5,7 @@ import pytest
 
 from similitude.simulation.arithmetic import ARRAYS, FLOATS
 from similitude.simulation.car import GRAVITY, generator
-from similitude.simulation.plant import Push
+from similitude.simulation.plant import Output, Push
 from similitude.simulation.road import (
     Gusts,
     Kerbs,
@@ -15,6 +15,7 @@ from similitude.simulation.road import (
     feel,
     gust_force,
     kerb_force,
+    stiffness_under_axle,
     surface_at,
     surface_under_axle,
     wander,
@@ -104,3 +105,25 @@ def test_each_seed_has_its_own_wind_whoever_else_drives():
     together = feel(road, T, front=np.array([1.2, 1.3]), seeds=[4, 5])
     alone = feel(road, T, front=1.3, seeds=[5])
     np.testing.assert_array_equal(together.force[:, 1], alone.force)
+
+
+def test_what_a_driver_may_believe_is_what_the_truth_says():
+    """At every instant alike, with wheels on both sides of an edge and the surface coming and going."""
+    surface = (
+        Patch(stiffness=0.5, y_from=0.3),
+        Patch(stiffness=0.1, y_from=0.3, begin=20.0, end=40.0, side="left"),
+    )
+    road, found = Road(surface=surface), felt(surface=surface)
+    rng = np.random.default_rng(4)
+    x, y, psi = rng.uniform(0, 9, T.size), rng.uniform(0, 0.6, T.size), rng.uniform(-0.5, 0.5, T.size)
+    truth, _ = surface_under_axle(road, found, T, x, y, psi, ahead=0.15, half_track=0.1)
+    said = [
+        stiffness_under_axle(
+            Push(0, 4, 0, 0, 0, 0, found.stiffness[i], 1.0, found.patches[i]),
+            Output(x[i], y[i], psi[i], 0, 0, 4, 0, 0),
+            ahead=0.15, half_track=0.1, on=FLOATS,
+        )
+        for i in range(0, T.size, 7)
+    ]  # fmt: skip
+    np.testing.assert_allclose(said, truth[::7], rtol=1e-12)
+    assert len(set(np.round(truth, 6))) >= 4

@@ -21,6 +21,7 @@ REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
 TIMES = ("s", "1/s")
+POPULATION = ("population", "small_population")
 ON_TARGET = "reference: state yours with "
 
 
@@ -47,10 +48,27 @@ def find_numbers(source: Source, *, vehicle: Path | None, sample_time: float | N
     UsageError      a user's file leaves values open, or a vehicle file was given for it.
     VehicleError    the vehicle file cannot be used.
     """
+    if source.numbers is not None:
+        return _held(source, vehicle, sample_time)
     library = source.library()
     if source.stated is not None:
         return _stated(source, library, vehicle, sample_time)
     return _shipped(source, library, vehicle, sample_time)
+
+
+def _held(source: Source, vehicle: Path | None, sample_time: float | None) -> Numbers:
+    """The numbers of an estimator that a file holds; they are for its own sample time."""
+    own: Numbers = source.numbers
+    if vehicle is None and sample_time in (None, own.sample_time):
+        return own
+    given = f"--vehicle '{vehicle}'" if vehicle is not None else f"--sample-time {sample_time:g} s"
+    raise UsageError(
+        f"{given} was given for {source.system}, whose estimator has its own numbers at "
+        f"{own.sample_time:g} s",
+        usually="the estimator was made for another sample time: make it anew in the file.",
+        paste=f"make_estimator(..., step='{1000 * (sample_time or own.sample_time):g} ms')",
+        read=READ,
+    )
 
 
 def _shipped(source: Source, library: Library, path: Path | None, sample_time: float | None) -> Numbers:
@@ -84,7 +102,7 @@ def _reference() -> Any:
 
 
 def _values(estimator: str, library: Library, prior: Any, step: float, L: float, noise: float) -> NDArray:
-    if estimator == "population":
+    if estimator in POPULATION:
         from similitude.filter_config import MEASURED_STEER_SD, filter_config
 
         return filter_config(library, prior, L=L, noise_std=noise, input_scale_sd=MEASURED_STEER_SD)
@@ -138,7 +156,7 @@ def _stated(source: Source, library: Library, vehicle: Path | None, sample_time:
 
 def _constants(estimator: str, step: float) -> dict[str, Any]:
     """Design constants that do not depend on what is identified; those of the car's estimators."""
-    if estimator == "population":
+    if estimator in POPULATION:
         from similitude.filter_config import DESIGN
 
         return {

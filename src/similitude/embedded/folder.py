@@ -47,7 +47,7 @@ class Export:
 def export(
     system: str,
     *,
-    estimator: str,
+    estimator: str | None,
     real: str,
     target: str,
     out: Path,
@@ -73,10 +73,28 @@ def export(
     UsageError    something named does not exist, or ``out`` holds something else.
     ModelError, ProgramError, VehicleError    the system or the vehicle cannot be used.
     """
-    place = target_named(target, real=real)
+    target_named(target, real=real)
     _free_or_raise(out)
     source = find_source(system, estimator)
     numbers = find_numbers(source, vehicle=vehicle, sample_time=sample_time)
+    return export_source(source, numbers, real=real, target=target, out=out)
+
+
+def export_source(source: Source, numbers: Numbers, *, real: str, target: str, out: Path) -> Export:
+    """Write an estimator that is at hand.
+
+    Parameters
+    ----------
+    source : Source      C and twin.    numbers : Numbers    its configuration.
+    real, target, out : as `export` takes them.
+
+    Raises
+    ------
+    UsageError    no such target, or ``out`` holds something else.
+    """
+    place = target_named(target, real=real)
+    _free_or_raise(out)
+    estimator = source.estimator
     texts, vectors = _texts(source, numbers, real)
     guard = check_sections(
         source.library(), numbers.values, estimator=estimator, real=real, sample_time=numbers.sample_time

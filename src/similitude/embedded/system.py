@@ -10,7 +10,7 @@ import importlib
 import runpy
 import types
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +18,13 @@ from similitude.errors import ModelError, SimilitudeError, UsageError
 from similitude.program.library import GENERATED, Library
 
 SHIPPED = {
-    "bicycle": ("population", "monitor", "paper", "band", "output_error", "robust"),
+    "bicycle": ("population", "small_population", "monitor", "paper", "band", "output_error", "robust"),
     "saturating_bicycle": ("population",),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {
     "population": ("population_filter", "population_filter"),
+    "small_population": ("small_population", "small_population_filter"),
     "monitor": ("monitor", "monitor"),
     "paper": ("paper", "paper_regression"),
     "band": ("band", "band_regression"),
@@ -44,6 +45,7 @@ class Source:
     twin: str
     system: str  # as the user named it
     stated: Mapping[str, Any] | None = field(default=None)  # CONFIG of a user's file; None of a shipped one
+    numbers: Any = None  # configuration.Numbers, where the file holds an estimator with all its numbers
 
     def library(self) -> Library:
         """Its layout, not compiled."""
@@ -52,13 +54,13 @@ class Source:
         return Library(self.name, layout, None)
 
 
-def find_source(system: str, estimator: str) -> Source:
+def find_source(system: str, estimator: str | None) -> Source:
     """The generated C and twin of an estimator for a system.
 
     Parameters
     ----------
-    system : name of a shipped system, or path of a Python file that holds a Reduction.
-    estimator : one of ``ESTIMATORS``.
+    system : name of a shipped system, or path of a Python file that holds an Estimator or a Reduction.
+    estimator : one of ``ESTIMATORS``; None takes the one that a file holds.
 
     Raises
     ------
@@ -66,8 +68,10 @@ def find_source(system: str, estimator: str) -> Source:
     ModelError    the file does not run, holds no Reduction or several, or the estimator cannot be
                   derived from it.
     """
+    if estimator is None and system.endswith(".py"):
+        return _held(Path(system))
     if estimator not in ESTIMATORS:
-        near = difflib.get_close_matches(estimator, ESTIMATORS, n=1)
+        near = difflib.get_close_matches(str(estimator), ESTIMATORS, n=1)
         raise UsageError(
             f"--estimator '{estimator}' is not exported; there are {', '.join(ESTIMATORS)}",
             usually="the batch fit was meant, which needs the whole log; the population filter does not.",
@@ -96,18 +100,48 @@ def find_source(system: str, estimator: str) -> Source:
     return Source(name, estimator, c, twin, system)
 
 
+def find_estimator(path: Path) -> Any:
+    """The one estimator, from `make_estimator`, that a Python file holds.
+
+    Raises
+    ------
+    UsageError    there is no such file.
+    ModelError    the file does not run, or holds no estimator or several.
+    """
+    names = _run(_there(path))
+    found = {name: value for name, value in names.items() if type(value).__name__ == "Estimator"}
+    if len({id(value) for value in found.values()}) == 1:
+        return next(iter(found.values()))
+    raise ModelError(
+        f"{path.name} should hold one Estimator, and there is "
+        + (f"{len(found)} of them: {', '.join(found)}" if found else "none"),
+        usually="the model is there, and the estimator is made inside a function or in another file.",
+        paste="estimator = make_estimator(SYSTEM, drive=u, step='10 ms', noise='1 mm', prior={...})",
+        read='docs/estimator.md, "From the command line"',
+    )
+
+
+def _held(path: Path) -> Source:
+    estimator = find_estimator(path)
+    return replace(estimator.source, system=path.name, numbers=estimator.numbers)
+
+
+def _there(path: Path) -> Path:
+    if path.is_file():
+        return path
+    raise UsageError(
+        f"there is no file '{path}' (looked in {Path.cwd()})",
+        usually="the path is that of another folder.",
+        paste=f"ls {path.name}",
+        read=READ,
+    )
+
+
 def _users(path: Path, estimator: str) -> Source:
     from similitude.program.c import print_c
     from similitude.program.python import print_python
 
-    if not path.is_file():
-        raise UsageError(
-            f"there is no file '{path}' (looked in {Path.cwd()})",
-            usually="the path is that of another folder.",
-            paste=f"ls {path.name}",
-            read=READ,
-        )
-    names = _run(path)
+    names = _run(_there(path))
     reduction = _only_reduction(path, names)
     module, maker = MAKERS[estimator]
     make = getattr(importlib.import_module(f"similitude.estimators.{module}"), maker)

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
+from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
@@ -57,9 +58,13 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         rows,
         Shared(
             {
-                at[DISTURBANCE]: sp.Integer(1),
-                at[OFFSET]: sp.Integer(1),
-                at[INPUT_SCALE]: S("steer"),
+                at[name]: weight
+                for name, weight in (
+                    (DISTURBANCE, sp.Integer(1)),
+                    (OFFSET, sp.Integer(1)),
+                    (INPUT_SCALE, S("steer")),
+                )
+                if name in at
             },
             {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
         ),
@@ -67,10 +72,10 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         noise={
             at[DISTURBANCE]: added,
             at[target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
-            at[BIAS]: S("bias_drift") * dt,
             **{at[f"{q.name}_bias"]: S(f"{q.name}_bias_drift") * dt for q in layout.further},
             **{at[n]: _prior_variance(layout, n) * (1 - S(f"keep_{n}") ** 2) for n in layout.wandering},
-        },
+        }
+        | ({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
     )
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
     prior = {n: S(f"{n}_prior") for n in layout.wandering}
@@ -128,9 +133,10 @@ def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[State
     """
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
+    states |= {layout.input.symbol: S("u_end")}
     output = layout.inverted(layout.reduction.output_map[layout.output.name].xreplace(states))
     at = {name: i for i, name in enumerate(layout.coordinates)}
-    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion, strict=True)}
+    plain = {S(n): S(p) for n, p in zip(layout.fast, layout.companion or layout.fast, strict=True)}
     H: dict[int, sp.Expr] = {}
     for name in layout.fast:
         slope = S("output_scale") * output.diff(S(name))
@@ -142,15 +148,23 @@ def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[State
         slope = S("output_scale") * output.diff(u.symbol).xreplace(plain) * u.jacobian
         if slope != 0:
             H[at[u.name]] = slope
-    H[at[BIAS]] = sp.Integer(1)
+    direct, slopes = _feedthrough(layout, output)
+    H |= {at[name]: slope for name, slope in slopes.items() if name in at}
+    functions, spelled = spelt_functions({"": output, **{f"{i}": e for i, e in H.items()}}, "out")
+    output = spelled.pop("")
+    H = {i: spelled[f"{i}"] for i in H}
+    if BIAS in at:
+        H[at[BIAS]] = sp.Integer(1)
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
     structural = S("structure_share") * S("structure_share")
     dependent = sp.Max(1, 2 * S("structure_time") * S("inv_dt"))
     timing = S("timing_error") * S("output_rate")
     lines: list[Statement] = [
+        *direct,
+        *functions,
         Assign("response", model_part, "output of the model"),
-        Assign("predicted", S("response") + S(BIAS)),
+        Assign("predicted", S("response") + (S(BIAS) if BIAS in at else 0)),
         Assign("output_rate", speed),
         Assign(
             "activity",
@@ -166,6 +180,18 @@ def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[State
     lines.append(When(S("usable") > sp.Rational(1, 2), (*_update(layout, H), *further), (), "measurement"))
     lines += _move(layout.reduction.unknowns[0], "move")
     return lines
+
+
+def _feedthrough(layout: Layout, output: sp.Expr) -> tuple[list[Assign], dict[str, sp.Expr]]:
+    """The input at the end of the step where the output shows it at once, and what follows for its errors."""
+    slope = S("output_scale") * output.diff(S("u_end"))
+    if slope == 0:
+        return [], {}
+    unit = layout.inverted(1 / layout.reduction.groups.scale[layout.input.name])
+    acting = (S(INPUT_SCALE) if INPUT_SCALE in layout.errors else 1) * S("u_now")
+    offset = S(OFFSET) if OFFSET in layout.errors else 0
+    line = Assign("u_end", (acting + offset + S(DISTURBANCE)) * unit, "input at the end of the step [-]")
+    return [line], {DISTURBANCE: slope * unit, OFFSET: slope * unit, INPUT_SCALE: slope * unit * acting}
 
 
 def _validity(layout: Layout, states: Mapping[sp.Symbol, sp.Symbol]) -> list[Statement]:
@@ -195,6 +221,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("innovation_variance", total),
         Assign("inv_spread", 1 / S("innovation_variance")),
         Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
+        *_warm(layout),
         When(
             S("nis") > S("outlier_ratio"),
             (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
@@ -251,6 +278,17 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     lines += _state_update(layout, gains)
     lines += _adapt(layout)
     return lines
+
+
+def _warm(layout: Layout) -> list[Statement]:
+    """Let the first samples count for less."""
+    if not layout.warming:
+        return []
+    wide = S("innovation_variance") + S("heat") * S("noise")
+    return [
+        Assign("inv_spread", 1 / wide, "the first samples count for less"),
+        Assign("heat", S("heat") * (1 - share("heat_rate"))),
+    ]
 
 
 def _jump() -> list[Assign]:
@@ -325,13 +363,17 @@ def _adapt(layout: Layout) -> list[Statement]:
     at, change, settling = S("disturbance_scale"), S("noise_change"), S("settling")
     expected, seen = S("expected"), S("seen")
     unseen = sp.Max(expected - P[w, w], S("observed_least") * expected)
+    calm = 1 / (1 + S("heat")) if layout.warming else sp.Integer(1)  # wrong unknowns are no noise
     lines: list[Statement] = [
         Assign(
             "settling",
-            sp.Max(S("noise_adapt"), settling - dt * settling * settling),
+            sp.Max(S("noise_adapt"), settling - dt * settling * settling * calm),
             "1/time at first",
         ),
-        Assign("noise_change", sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1)),
+        Assign(
+            "noise_change",
+            sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1) * calm,
+        ),
         Assign("noise_scale", S("noise_scale") * exponential(change)),
         *keep_within("noise_scale"),
         Assign("expected", at * S("w_nominal"), "disturbance variance expected"),
@@ -339,7 +381,7 @@ def _adapt(layout: Layout) -> list[Statement]:
         Assign("unseen", unseen),
         Assign(
             "disturbance_scale",
-            at + share("disturbance_adapt") * (seen - expected) * at / S("unseen"),
+            at + share("disturbance_adapt") * (seen - expected) * at / S("unseen") * calm,
         ),
         *keep_within("disturbance_scale"),
         When(

@@ -27,9 +27,24 @@ INPUT_SCALE = "input_scale"
 
 @dataclass(frozen=True)
 class Layout:
-    """Order of the filter's states and the names of everything around them."""
+    """Order of the filter's states and the names of everything around them.
+
+    ``warming``: whether the first samples count for less, so that the unknowns are not fixed by a straight
+    line through where they were guessed.
+    """
 
     reduction: Reduction
+    errors: tuple[str, ...] = (INPUT_SCALE, OFFSET, BIAS)  # of the sensors, those that are carried
+    monitored: bool = True  # hand out what a monitor beside it needs
+    followed: bool = True  # sensitivities along states of their own, not along the estimate
+    fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
+    warming: bool = False
+
+    @property
+    def moving(self) -> tuple[str, ...]:
+        """Coordinates that are kept between limits."""
+        own = tuple(u.name for u in self.reduction.unknowns if u.role != "consider")
+        return (*own, INPUT_SCALE) if INPUT_SCALE in self.errors else own
 
     @property
     def fast(self) -> tuple[str, ...]:
@@ -39,7 +54,7 @@ class Layout:
     @property
     def companion(self) -> tuple[str, ...]:
         """The same states along the input alone, where sensitivities are taken."""
-        return tuple(f"{name}_plain" for name in self.fast)
+        return tuple(f"{name}_plain" for name in self.fast) if self.followed else ()
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -50,7 +65,7 @@ class Layout:
     def coordinates(self) -> tuple[str, ...]:
         """All n filter states in the order of the covariance."""
         biases = (f"{q.name}_bias" for q in self.further)
-        return (*self.fast, DISTURBANCE, *self.unknowns, INPUT_SCALE, OFFSET, BIAS, *biases)
+        return (*self.fast, DISTURBANCE, *self.unknowns, *self.errors, *biases)
 
     @property
     def considered(self) -> tuple[str, ...]:
@@ -152,19 +167,18 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         layout.prior.field("-", "prior covariance of the unknowns' coordinates, upper triangle"),
         Field("prior_information", "-", f"1/prior variance of ln {t}"),
         *limits,
-        Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
-        Field("input_scale_low", "-", f"least scale of {i.name}"),
-        Field("input_scale_high", "-", f"greatest scale of {i.name}"),
-        Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
-        Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}"),
+        *_error_config(layout),
         *(Field(f"{name}_sd", "-", "sd after a restart") for name in layout.fast),
         Field("noise_variance", f"({o.unit})^2", f"white noise of {o.name} a sample"),
         Field("drift", "1/s", f"diffusion of ln {t} while it is observed"),
         Field("idle_drift", "1/s", f"diffusion of ln {t} while nothing is heard of it"),
         Field("jump_drift", "1/s", "further diffusion per unit of surprise above its limit"),
-        Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias"),
+        *_if(BIAS in layout.errors, Field("bias_drift", f"({o.unit})^2/s", "random walk of the output bias")),
         Field("timing_error", "s", "timing error between input and output"),
-        Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        *_if(
+            layout.followed,
+            Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
+        ),
         Field("structure_share", "-", "structural error as a share of the output's activity"),
         Field("structure_time", "s", "correlation time of the structural error"),
         Field("activity_rate", "1/s", "averaging rate of the output's activity"),
@@ -186,6 +200,14 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
         Field("observed_least", "-", "least share of the disturbance taken as observed"),
         Field("outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"),
+        *(
+            (
+                Field("heat_start", "-", "noise variance the first sample is weighed with, over its own"),
+                Field("heat_rate", "1/s", "rate at which that falls"),
+            )
+            if layout.warming
+            else ()
+        ),
         Field("gap", "s", "longest time without a usable sample before a restart"),
         Field("input_limit", i.unit, f"greatest believable {i.name}"),
         Field("output_limit", o.unit, f"greatest believable {o.name}"),
@@ -201,6 +223,38 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
     )
 
 
+def _if(carried: bool, *fields: Field) -> tuple[Field, ...]:
+    return fields if carried else ()
+
+
+def _error_config(layout: Layout) -> tuple[Field, ...]:
+    """What the filter is told of the sensor errors that it carries."""
+    i, o = layout.input, layout.output
+    return (
+        *_if(
+            INPUT_SCALE in layout.errors,
+            Field("input_scale_sd", "-", f"sd of the scale of {i.name}, also that of the known scales"),
+            Field("input_scale_low", "-", f"least scale of {i.name}"),
+            Field("input_scale_high", "-", f"greatest scale of {i.name}"),
+        ),
+        *_if(
+            OFFSET in layout.errors,
+            Field("input_offset_sd", i.unit, f"prior sd of the offset of {i.name}"),
+        ),
+        *_if(BIAS in layout.errors, Field("output_bias_sd", o.unit, f"prior sd of the bias of {o.name}")),
+    )
+
+
+def _error_states(layout: Layout) -> tuple[Field, ...]:
+    i, o = layout.input, layout.output
+    known = {
+        INPUT_SCALE: Field(INPUT_SCALE, "-", f"{i.name} that acts over {i.name} measured"),
+        OFFSET: Field(OFFSET, i.unit, f"offset of {i.name}"),
+        BIAS: Field(BIAS, o.unit, f"bias of {o.name}"),
+    }
+    return tuple(known[name] for name in layout.errors)
+
+
 def _validity_unit(layout: Layout) -> str:
     validity = layout.reduction.groups.model.validity
     return validity[1].unit if validity else "-"
@@ -214,9 +268,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
-        Field(INPUT_SCALE, "-", f"{i.name} that acts over {i.name} measured"),
-        Field(OFFSET, i.unit, f"offset of {i.name}"),
-        Field(BIAS, o.unit, f"bias of {o.name}"),
+        *_error_states(layout),
         *(field for q in layout.further for field in further_state(q)),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
         Field("noise_scale", "-", "noise variance against nominal"),
@@ -235,6 +287,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
             "recent peak of the validity signal, squared",
         ),
         Field("information", "-", f"information gained about ln {layout.target}"),
+        *((Field("heat", "-", "noise variance that is added now, over its own"),) if layout.warming else ()),
         Field("last_input", i.unit, "input of the sample before"),
         *(Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before") for q in layout.signals),
         Field("age", "s", "time since the last usable sample"),
@@ -274,6 +327,8 @@ def output_fields(layout: Layout) -> tuple[Field, ...]:
 def monitored_fields(layout: Layout) -> tuple[Field, ...]:
     """What a step hands out besides, for a monitor that follows the same drive with the unknowns held."""
     i, o = layout.input, layout.output
+    if not layout.monitored:
+        return ()
     return (
         *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.reduction.unknowns[1:]),
         Field("offset_now", i.unit, f"offset of {i.name}"),

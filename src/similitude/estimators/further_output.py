@@ -65,7 +65,9 @@ def _predict(layout: Layout, q: Quantity) -> list[Statement]:
     u, u_plain = S(f"{n}_u"), S(f"{n}_u_plain")
     states = {s.symbol: S(f) for s, f in zip(reduction.groups.model.states, layout.fast, strict=True)}
     response = layout.inverted(reduction.output_map[n].xreplace({**states, layout.input.symbol: u}))
-    plain = {S(f): S(p) for f, p in zip(layout.fast, layout.companion, strict=True)} | {u: u_plain}
+    plain = {S(f): S(p) for f, p in zip(layout.fast, layout.companion or layout.fast, strict=True)} | {
+        u: u_plain
+    }
     scale = S(f"{n}_scale")
     slopes = {f"{n}_by_{name}": response.diff(S(name)) for name in layout.fast}
     slopes |= {

@@ -72,6 +72,37 @@ def regression(
     ----------
     Brennan & Alleyne 2004, eqs 20-23 (with T once in m2, as its eq 23 has it).
     """
+    groups, pi = reduction.groups, sp.Symbol(unknown, real=True)
+    model = groups.model
+    A, B, C = proportional_matrices(reduction, unknown=unknown, slopes=slopes)
+    rates = [sp.simplify(e / pi) for e in ((C * B)[0], -A.trace())]
+    if any(pi in e.free_symbols for e in rates):
+        raise _error(model.name, f"has C B or trace A that is not proportional to {unknown}")
+    target = reduction.unknowns[0].symbol
+    per_target = sp.simplify(reduction.substitution[unknown] / target)
+    if per_target.free_symbols - {sp.Symbol(n, real=True) for n in groups.base}:
+        raise _error(model.name, f"has {unknown} that is not a scale times {target.name}")
+    return Regression(reduction, unknown, tuple(slopes), rates[0], rates[1], per_target)
+
+
+def proportional_matrices(
+    reduction: Reduction, *, unknown: str, slopes: tuple[str, ...]
+) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
+    """A, B, C in dimensionless time with ``slopes`` proportional to ``unknown``: C (s - A)^-1 B is eq 20.
+
+    Parameters
+    ----------
+    reduction, unknown, slopes : as of `regression`; a slope's factor is the symbol ``<group>_slope``.
+
+    Raises
+    ------
+    ModelError    not two states, one input, one output and one scale measured along, not linear, or a
+                  direct feedthrough.
+
+    References
+    ----------
+    Brennan & Alleyne 2004, eq 20.
+    """
     groups = reduction.groups
     model, pi = groups.model, sp.Symbol(unknown, real=True)
     slope = {sp.Symbol(n, real=True): sp.Symbol(f"{n}_slope", real=True) * pi for n in slopes}
@@ -87,14 +118,7 @@ def regression(
     signals = set(x) | set(u)
     if D != sp.zeros(1, 1) or any(m.free_symbols & signals for m in (A, B, C)):
         raise _error(model.name, "must be linear, without a direct feedthrough")
-    rates = [sp.simplify(e / pi) for e in ((C * B)[0], -A.trace())]
-    if any(pi in e.free_symbols for e in rates):
-        raise _error(model.name, f"has C B or trace A that is not proportional to {unknown}")
-    target = reduction.unknowns[0].symbol
-    per_target = sp.simplify(reduction.substitution[unknown] / target)
-    if per_target.free_symbols - {sp.Symbol(n, real=True) for n in groups.base}:
-        raise _error(model.name, f"has {unknown} that is not a scale times {target.name}")
-    return Regression(reduction, unknown, tuple(slopes), rates[0], rates[1], per_target)
+    return A, B, C
 
 
 def _error(model: str, what: str) -> ModelError:

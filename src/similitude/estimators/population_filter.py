@@ -33,10 +33,10 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
+    "above above_move away cold bounded_move expected follow gained h i_det inv_P inv_det inv_dt "
     "inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale lost nis noise noise_change "
-    "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_plain "
-    "unseen validity_now validity_square validity_then w_nominal".split()
+    "output_rate output_scale p pp q qq ramp response seen sensitivity span steer steer_change u u_end "
+    "u_plain unseen validity_now validity_square validity_then w_nominal".split()
 )
 
 
@@ -45,12 +45,13 @@ def S(name: str) -> sp.Symbol:
     return sp.Symbol(name, real=True)
 
 
-def population_filter(reduction: Reduction) -> Program:
-    """Derive the filter's step program from a reduced model.
+def population_filter(reduction: Reduction, *, warming: bool = False) -> Program:
+    """Derive the filter's step program from a reduced model: every unknown and sensor error carried.
 
     Parameters
     ----------
     reduction : Reduction    one input, one output, any number of states and unknowns.
+    warming : whether the first samples count for less, falling off over a configured time.
 
     Returns
     -------
@@ -60,7 +61,12 @@ def population_filter(reduction: Reduction) -> Program:
     ----------
     Brennan & Alleyne 2004, section 5, for the idea; the filter is this project's own.
     """
-    layout = Layout(reduction)
+    return filter_program(Layout(reduction, warming=warming), "population", "Population filter")
+
+
+def filter_program(layout: Layout, name: str, title: str) -> Program:
+    """The step program of the filter that carries what the layout says."""
+    reduction = layout.reduction
     model = reduction.groups.model
     taken = sorted(WORKING.intersection(layout.unknowns))
     if taken:
@@ -71,8 +77,8 @@ def population_filter(reduction: Reduction) -> Program:
             read="docs/architecture.md, 'Step programs'",
         )
     return Program(
-        name=f"{model.name}_population",
-        title=f"Population filter of the {model.name}",
+        name=f"{model.name}_{name}",
+        title=f"{title} of the {model.name}",
         provenance=(
             f"model: {model.name}, {model.source}",
             f"base: {', '.join(reduction.groups.base)}",
@@ -113,11 +119,11 @@ def _init(layout: Layout) -> list[Statement]:
         Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)
     ]
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
-    lines += [Assign(INPUT_SCALE, sp.Integer(1)), Assign(OFFSET, sp.Integer(0)), Assign(BIAS, sp.Integer(0))]
+    lines += [Assign(name, sp.Integer(name == INPUT_SCALE)) for name in layout.errors]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
+    biases = tuple(f"{q.name}_bias" for q in layout.further)
     lines += [
-        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2)
-        for n in (*layout.fast, INPUT_SCALE, OFFSET, BIAS, *(f"{q.name}_bias" for q in layout.further))
+        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, *layout.errors, *biases)
     ]
     lines += [
         Assign(P.target(at[a], at[b]), prior[i, j])
@@ -143,6 +149,8 @@ def _init(layout: Layout) -> list[Statement]:
     names += [f"last_{q.name}" for q in layout.signals]
     names += [f"{q.name}_{part}" for q in layout.further for part in ("bias", "activity")]
     lines += [Assign(f"{q.name}_noise_scale", sp.Integer(1)) for q in layout.further]
+    if layout.warming:
+        lines.append(Assign("heat", S("heat_start")))
     lines.append(
         Assign(
             P.target(at[DISTURBANCE], at[DISTURBANCE]),
@@ -158,11 +166,14 @@ def _step(layout: Layout) -> list[Statement]:
     lost = sp.Piecewise((LONGEST_STEP, dt > 1), (S("age"), True))
     return [
         Assign("status", sp.Integer(STATUS["ok"])),
-        Assign("predicted", S(BIAS)),
+        Assign("predicted", S(BIAS) if BIAS in layout.errors else sp.Integer(0)),
         Assign("innovation", sp.Integer(0)),
         Assign("innovation_variance", S("noise_scale") * S("noise_variance")),
-        Assign("noise_now", S("innovation_variance")),
-        Assign("disturbance_now", S("disturbance_scale") * S("disturbance_floor") ** 2),
+        *_handed_out(
+            layout,
+            Assign("noise_now", S("innovation_variance")),
+            Assign("disturbance_now", S("disturbance_scale") * S("disturbance_floor") ** 2),
+        ),
         When(
             usable_time,
             (
@@ -181,10 +192,18 @@ def _step(layout: Layout) -> list[Statement]:
         Assign("estimate", S(layout.target)),
         Assign("variance", layout.covariance[(len(layout.fast) + 1,) * 2]),
         Assign("information_gained", S("information")),
-        *(Assign(f"{name}_now", S(name)) for name in layout.unknowns[1:]),
-        Assign("offset_now", S(OFFSET)),
-        Assign("bias_now", S(BIAS)),
+        *_handed_out(
+            layout,
+            *(Assign(f"{name}_now", S(name)) for name in layout.unknowns[1:]),
+            Assign("offset_now", S(OFFSET)),
+            Assign("bias_now", S(BIAS)),
+        ),
     ]
+
+
+def _handed_out(layout: Layout, *lines: Assign) -> tuple[Assign, ...]:
+    """The lines, where a monitor may follow beside the filter."""
+    return lines if layout.monitored else ()
 
 
 def _within(x: sp.Symbol, limit: str) -> sp.Basic:
@@ -269,27 +288,32 @@ def _dynamics(layout: Layout) -> list[Statement]:
         ratio = layout.inverted(groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name])
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
         lines.append(Assign(name, S(name) * S(f"ratio_{name}")))
-        lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
-    scale = S(INPUT_SCALE)
+        if layout.companion:
+            lines.append(Assign(f"{name}_plain", S(f"{name}_plain") * S(f"ratio_{name}")))
+    scale = S(INPUT_SCALE) if INPUT_SCALE in layout.errors else sp.Integer(1)
+    offset = S(OFFSET) if OFFSET in layout.errors else sp.Integer(0)
     lines.append(Assign("steer", scale * (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
-    lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
+    if layout.fine:
+        lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
     plain = S("steer")  # an estimated offset holds the noise it came from
     unit = layout.inverted(1 / groups.scale[layout.input.name])
     lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
-    lines.append(Assign("u", S("u_plain") + (S(OFFSET) + S(DISTURBANCE)) * unit, "effective input [-]"))
+    lines.append(Assign("u", S("u_plain") + (offset + S(DISTURBANCE)) * unit, "effective input [-]"))
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
     rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]
-    chain = {u.name: u.jacobian for u in reduction.unknowns} | {"u": unit}
-    companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")}
+    chain = {u.name: u.jacobian for u in layout.reduction.unknowns} | {"u": unit}
+    companion = {S(n): S(f"{n}_plain") for n in (*layout.fast, "u")} if layout.companion else None
     fast = [S(n) for n in layout.fast]
-    ramp = ("u", S("steer_change"))
-    step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp)
+    ramp = ("u", S("steer_change")) if layout.fine else None
+    halves = 2 if layout.fine else 1
+    step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp, halves=halves)
     lines += step.statements
     lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
     lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
-    lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
-    for i, name in enumerate(layout.fast):
+    if layout.companion:
+        lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
+    for i, name in enumerate(layout.fast if layout.companion else ()):
         own = step.companion_after[i]
         lines.append(Assign(f"{name}_plain", own + S("follow") * (S(name) - own)))
     return lines
@@ -331,14 +355,17 @@ def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
     lines: list[Statement] = []
     hit = []
-    moving = [u.name for u in layout.reduction.unknowns if u.role != "consider"] + [INPUT_SCALE]
+    moving = layout.moving
     for name in moving:
         hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
     clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
     at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
-    lines.append(Assign("noise_now", S("noise")))
-    lines.append(Assign("disturbance_now", S("disturbance_scale") * S("w_nominal")))
+    lines += _handed_out(
+        layout,
+        Assign("noise_now", S("noise")),
+        Assign("disturbance_now", S("disturbance_scale") * S("w_nominal")),
+    )
     lines.append(Assign("last_input", S("u_now")))
     lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
     lines.append(When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))))

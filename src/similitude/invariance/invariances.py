@@ -114,6 +114,10 @@ class Invariances:
         ------
         ModelError, UnitError    a value is missing, unknown or cannot be read; or no values are given
                 and the response is no formula.
+
+        References
+        ----------
+        Brennan & Alleyne 2004, eqs 15, 16.
         """
         if values is None:
             return self._formulas()

@@ -202,7 +202,7 @@ def _eq_23() -> list[Claim]:
             printed=0.0,
             ours=float(exact[2] + exact[3]),
             tolerance=1e-5,
-            why=f"The lines leave out π3 (k π3 + π2 k − π1) T²/π5 = {predicted:.3e}: the static gain.",
+            why=f"The lines leave out π3 (k π3 + π2 k − π1) T²/π5 = {predicted:.7f}: the static gain.",
         ),
     ]
 

@@ -15,10 +15,14 @@ from similitude.paper.ahead import kept
 from similitude.paper.bound import bound
 from similitude.paper.claim import Claim, claim, number_claim
 from similitude.paper.drives import (
+    SOFT,
+    SOFTEST,
     Drive,
-    RunningFilter,
     belt,
     belt_scheduled,
+    belt_soft,
+    belt_softest,
+    belt_told,
     drive_of,
     population_reads,
     regression_reads,
@@ -29,7 +33,8 @@ Array = NDArray[np.float64]
 DRY, WET, PLANING, RETURN = (5.0, 60.0), (62.0, 70.0), (72.0, 83.0), (85.0, 90.0)  # s
 SEEDS = (1, 2, 3)
 PLANING_SHORT = (15.0, 28.0)  # s, in the scenario wet_lane
-CLEAR = 0.1  # of π3: less of a fall is none
+CLEAR = 0.1  # of π3 or of a distance: less of a difference is none
+JUMP = 0.1  # m from one step to the next
 CHANGES = (60.6, 70.0, 72.0, 83.0, 85.6)  # s
 
 
@@ -43,6 +48,7 @@ def figure_7_claims() -> list[Claim]:
         _with_gyro(),
         _today(),
         _scheduled(),
+        _soft_gain(),
         _scheduled_seeds(),
         _grip_alone(),
     ]
@@ -141,8 +147,7 @@ def _planing() -> Claim:
         tolerance="a fifth or more",
         digits=2,
         unit="relative change",
-        why="Even with a perfect sensor the regression rises: what the belt does to a car without grip "
-        "looks stiff to it.",
+        why="Even with a perfect sensor the regression rises.",
     )
 
 
@@ -211,58 +216,106 @@ def _today() -> Claim:
     )
 
 
+def gains() -> dict[str, Drive]:
+    """Figure 7 by the regulator's gain."""
+    return {
+        "fixed": belt(),
+        "soft": belt_soft(),
+        "softest": belt_softest(),
+        "estimate": belt_scheduled(),
+        "truth": belt_told(),
+    }
+
+
 def _scheduled() -> Claim:
-    fixed, follows = (excursions(drive, *PLANING) for drive in (belt(), belt_scheduled()))
-    tails = [excursions(drive, *RETURN)["beta"] for drive in (belt(), belt_scheduled())]
+    fixed, soft, follows = (excursions(gains()[n], *PLANING) for n in ("fixed", "soft", "estimate"))
+    tails = {n: excursions(drive, *RETURN)["beta"] for n, drive in gains().items()}
+    nearer = follows["rms"] < fixed["rms"] and follows["beta"] < fixed["beta"]
     return claim(
         "today-scheduled",
         "sections 7 and 8",
         "the estimate is very useful for scheduling control designs",
         printed="very useful",
-        ours=[fixed["rms"], follows["rms"]],
-        holds=follows["rms"] < fixed["rms"] and follows["beta"] < fixed["beta"] and tails[1] < tails[0],
-        tolerance="less of all: distance, sideslip, sideslip on the way back",
+        ours=[fixed["rms"], follows["rms"], soft["rms"]],
+        holds=nearer and follows["rms"] < (1 - CLEAR) * soft["rms"],
+        under=nearer and tails["estimate"] < tails["fixed"],
+        tolerance="less distance and sideslip than the fixed gain, a tenth less distance than a soft one",
         digits=2,
         unit="m rms",
-        why=f"Distance from the path while hydroplaning, fixed gain and gain following the running "
-        f"population filter. "
-        f"Sideslip there {fixed['beta']:.2f} and {follows['beta']:.2f} rad, on the way back "
-        f"{tails[0]:.2f} and "
-        f"{tails[1]:.2f} rad; yaw rate {fixed['r']:.1f} and {follows['r']:.1f} rad/s.",
+        condition="it is compared with the paper's fixed gain: distance, sideslip, sideslip on the way back "
+        "are all less",
+        why=f"Distance from the path while hydroplaning: the paper's gain, gain following the running "
+        f"population filter, one gain designed for half the stiffness. Greatest sideslip there "
+        f"{fixed['beta']:.2f}, {follows['beta']:.2f} and {soft['beta']:.2f} rad, on the way back "
+        f"{tails['fixed']:.2f}, {tails['estimate']:.2f} and {tails['soft']:.2f} rad. One belt: see "
+        "today-scheduled-belts for others, today-soft-gain for the dry half.",
+    )
+
+
+def after_jumps(drive: Drive, first: float, last: float) -> float:
+    """Share of the squared distance from the path that falls into the second after one of its jumps [-]."""
+    there = drive.during(first, last)
+    off, jumps = ((drive.y - drive.wanted) ** 2)[there], np.abs(np.diff(drive.wanted[there])) > JUMP
+    soon = np.convolve(np.append(jumps, False), np.ones(round(1 / drive.step)))[: off.size] > 0
+    return float(off[soon].sum() / off.sum())
+
+
+def _soft_gain() -> Claim:
+    names = ("estimate", "soft", "softest", "fixed")
+    follows, soft, softest, fixed = (excursions(gains()[n], *DRY)["rms"] for n in names)
+    return claim(
+        "today-soft-gain",
+        "not in the paper",
+        "on the dry half the gain that follows the estimate is clearly better than one soft gain",
+        printed=round(fixed, 4),
+        ours=[follows, soft, softest],
+        holds=soft > (1 + CLEAR) * follows,
+        under=softest > (1 + CLEAR) * follows,
+        tolerance="a tenth less distance",
+        digits=3,
+        unit="m rms",
+        condition=f"the one gain is designed for what is left while hydroplaning ({SOFTEST} of the "
+        f"stiffness): it is {100 * (softest / follows - 1):.0f} % worse there",
+        why="Distance from the path on the dry, 5 to 60 s: printed with the paper's gain, ours with the one "
+        f"that follows, with one gain for {SOFT} and with one for {SOFTEST} of the stiffness. The gain for "
+        f"{SOFT} is {100 * (soft / follows - 1):.1f} % worse only: {100 * after_jumps(belt(), *DRY):.0f} % "
+        "of the squared distance falls into the second after a jump of the path.",
     )
 
 
 @kept
-def wet_lane_runs() -> list[tuple[dict[str, float], dict[str, float]]]:
-    """Excursions while hydroplaning in wet_lane with the fixed and the scheduled gain, one pair a seed."""
-    runs = []
-    for seed in SEEDS:
-        pair = []
-        for schedule in ("none", "estimate"):
-            scenario = read_scenario("wet_lane", changes={"driver.schedule": schedule})
-            heard = RunningFilter(scenario) if schedule == "estimate" else None
-            pair.append(excursions(drive_of(scenario, heard, seed), *PLANING_SHORT))
-        runs.append((pair[0], pair[1]))
-    return runs
+def wet_lane_runs() -> list[tuple[dict[str, float], ...]]:
+    """Excursions while hydroplaning in wet_lane, a seed each: fixed, following and soft gain."""
+    changes = ({}, {"driver.schedule": "estimate"}, {"driver.design_stiffness": SOFT})
+    return [
+        tuple(
+            excursions(drive_of(read_scenario("wet_lane", changes=change), seed), *PLANING_SHORT)
+            for change in changes
+        )
+        for seed in SEEDS
+    ]
 
 
 def _scheduled_seeds() -> Claim:
     runs = wet_lane_runs()
-    ratios = [follows["rms"] / fixed["rms"] for fixed, follows in runs]
-    worst = [max(pair[i]["most"] for pair in runs) for i in (0, 1)]
+    to_fixed, to_soft = ([run[1]["rms"] / run[i]["rms"] for run in runs] for i in (0, 2))
+    worst = [max(run[i]["most"] for run in runs) for i in range(3)]
     return claim(
         "today-scheduled-belts",
         "not in the paper",
-        "the same on other belts: scheduling brings the vehicle nearer to its path each time",
+        "on other belts the gain that follows brings the vehicle nearer to its path each time than the fixed "
+        "and than the soft gain",
         printed=1,
-        ours=ratios,
-        holds=max(ratios) < 1,
+        ours=[*to_fixed, *to_soft],
+        holds=max(*to_fixed, *to_soft) < 1,
+        under=max(to_fixed) < 1,
         tolerance="each below 1",
         digits=2,
-        unit="rms over rms of the fixed gain",
-        why=f"{len(SEEDS)} other seeds of the unevenness (wet_lane). The worst excursion is "
-        f"{worst[0]:.2f} m with the fixed "
-        f"gain and {worst[1]:.2f} m with the scheduled.",
+        unit="rms over rms of the fixed, then of the soft gain",
+        condition="it is compared with the fixed gain",
+        why=f"While hydroplaning, {len(SEEDS)} other seeds of the unevenness (wet_lane). The worst excursion "
+        f"is {worst[0]:.2f} m with the fixed gain, {worst[1]:.2f} m with the scheduled, {worst[2]:.2f} m "
+        "with the soft.",
     )
 
 

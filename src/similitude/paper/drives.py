@@ -9,32 +9,28 @@ sensor) or as a gyro of 0.1 deg/s writes it. The driver feels the truth in both,
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
-from similitude.filter_config import MEASURED_STEER_SD, filter_config
-from similitude.filter_run import POPULATION
 from similitude.paper.ahead import kept
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
-from similitude.simulation.loop import Estimate
 from similitude.simulation.recording import Recording, run_scenario
+from similitude.simulation.running_filter import filter_of, told_prior
 from similitude.simulation.scenario import Scenario, read_scenario
-from similitude.vehicle_file import read_vehicle
-from similitude.vehicle_prior import vehicle_prior
 
 Array = NDArray[np.float64]
 GYRO = "0.1 deg/s"
 NOISE = float(np.deg2rad(0.1))  # rad/s, of that gyro
 QUIET = 1e-4  # rad/s: what the regression is told of a sensor without noise; bounds its reported sd only
 SEED = 0
+SOFT = "0.5"  # of the stiffness: what the paper measured off-line on the wet half
+SOFTEST = "0.06"  # of the stiffness: what the scenario leaves of it while hydroplaning
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,14 +76,9 @@ class Drive:
         return np.column_stack([np.full(self.t.size, self.step), self.delta, self.U, r])
 
 
-def drive_of(scenario: Scenario, estimate: Estimate | None = None, seed: int = SEED) -> Drive:
-    """Drive a scenario once.
-
-    Parameters
-    ----------
-    scenario : Scenario   with a path. estimate : for a driver with ``schedule = "estimate"``.
-    """
-    (recording,) = run_scenario(scenario, [seed], estimate=estimate)
+def drive_of(scenario: Scenario, seed: int = SEED) -> Drive:
+    """Drive a scenario with a path once."""
+    (recording,) = run_scenario(scenario, [seed])
     return _drive(scenario, recording)
 
 
@@ -122,30 +113,41 @@ def belt() -> Drive:
 @kept
 def belt_scheduled() -> Drive:
     """Figure 7 once more, the gain following the estimate of the filter that runs beside."""
-    scenario = read_scenario("treadmill_hydroplaning", changes={"driver.schedule": "estimate"})
-    return drive_of(scenario, RunningFilter(scenario))
+    return drive_of(read_scenario("treadmill_hydroplaning", changes={"driver.schedule": "estimate"}))
+
+
+@kept
+def belt_soft() -> Drive:
+    """Figure 7 with one gain again, but that of half the stiffness."""
+    return _until_back({"driver.design_stiffness": SOFT})
+
+
+@kept
+def belt_softest() -> Drive:
+    """Figure 7 with one gain, that of the stiffness which is left while hydroplaning."""
+    return _until_back({"driver.design_stiffness": SOFTEST})
+
+
+@kept
+def belt_told() -> Drive:
+    """Figure 7 with a gain that follows the true stiffness under the front axle."""
+    return _until_back({"driver.schedule": "truth"})
+
+
+def _until_back(changes: Mapping[str, str]) -> Drive:
+    """The first 90 s of Figure 7; what came so far does not depend on when a drive ends."""
+    return drive_of(read_scenario("treadmill_hydroplaning", changes={"run.duration": "90 s", **changes}))
 
 
 @lru_cache
 def prior_of(scenario: str) -> Prior:
     """What the scenario's vehicle file and its population say of K, pi1, eta and rho."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "vehicle.toml"
-        path.write_text(read_scenario(scenario).vehicle.vehicle_file(), encoding="utf-8")
-        return vehicle_prior(read_vehicle(path))
+    return told_prior(read_scenario(scenario))
 
 
 def population_config(scenario: Scenario) -> tuple[Library, Array]:
     """The default filter and its configuration for a scenario's car and a gyro of 0.1 deg/s."""
-    library = shipped(POPULATION)
-    config = filter_config(
-        library,
-        prior_of(scenario.name),
-        L=scenario.vehicle.nominal().L,
-        noise_std=NOISE,
-        input_scale_sd=MEASURED_STEER_SD,
-    )
-    return library, config
+    return filter_of(scenario, NOISE, prior_of(scenario.name))
 
 
 def population_reads(drive: Drive, r: Array) -> tuple[Array, Array]:
@@ -170,23 +172,3 @@ def regression_reads(
     config = paper_config(library, sample_time=drive.step, L=drive.L, noise_std=QUIET, **groups, **changes)
     outputs, _ = library.run(config, library.start(config), drive.samples(r))
     return outputs[:, library.index("output", "pi3")]
-
-
-class RunningFilter:
-    """The population filter beside a drive: called once a tick, it reads one sample and says pi3.
-
-    ``heard`` collects K of every tick [m²/s²].
-    """
-
-    def __init__(self, scenario: Scenario) -> None:
-        self._library, self._config = population_config(scenario)
-        self._state = self._library.start(self._config)
-        self._step = scenario.timing.step
-        self.heard: list[float] = []
-
-    def __call__(self, t: float, steer: float, r: float, U: float) -> float:
-        """Return pi3 [-] after the sample: steer [rad], gyro's yaw rate [rad/s], speed [m/s]."""
-        sample = np.array([[self._step, steer, U, r]])
-        outputs, _ = self._library.run(self._config, self._state, sample)
-        self.heard.append(float(outputs[0, 0]))
-        return self.heard[-1] / (U * U)

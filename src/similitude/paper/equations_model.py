@@ -6,22 +6,23 @@ import numpy as np
 import sympy as sp
 
 from similitude.estimators.paper_design import PAPER_GROUPS
+from similitude.estimators.paper_model import proportional_matrices
 from similitude.paper import printed
 from similitude.paper.bode import (
     PARAMETERS,
-    dimension_row,
+    exponents,
+    right_sides,
     row_sums,
-    state_space_residual,
+    state_space,
     step_response,
     transfer_function,
 )
-from similitude.paper.claims_discrete import transfer_19
 from similitude.paper.claims_groups import test_vehicle_groups
-from similitude.paper.claims_invariance import YAW_RATE, euler
+from similitude.paper.claims_invariance import degree
 from similitude.populations.shipped import shipped_population
 from similitude.simulation.car import Car
 from similitude.simulation.lqr import path_matrices
-from similitude.systems.bicycle import bicycle_groups
+from similitude.systems.bicycle import bicycle_groups, bicycle_reduction
 
 AT = 0.3  # s
 W = 5.0j  # rad/s
@@ -38,8 +39,25 @@ def _state_space() -> float:
     return abs(by_states / transfer_function(printed.TEST_VEHICLE, W)[0] - 1)
 
 
-def _matrix_dimensions() -> float:
-    return float(state_space_residual()[1])
+def _matrices() -> float:
+    """Eq 2: the driver's matrices, entry by entry, against the print and against the shipped model."""
+    car, U = _car(), 3.0
+    A, B = path_matrices(car, U)
+    found = np.column_stack([A, B])
+    turn, both = car.b * car.Car - car.a * car.Caf, car.Caf + car.Car
+    about = car.a**2 * car.Caf + car.b**2 * car.Car
+    as_printed = np.array([
+        [0, 1, 0, 0, 0],
+        [0, -both / (car.m * U), both / car.m, turn / (car.m * U), car.Caf / car.m],
+        [0, 0, 0, 1, 0],
+        [0, turn / (car.Iz * U), -turn / car.Iz, -about / (car.Iz * U), car.a * car.Caf / car.Iz],
+    ])  # fmt: skip
+    values = {sp.Symbol(n, real=True): x for n, x in {**printed.TEST_VEHICLE, "U": U}.items()}
+    shipped = np.array([[0, 1, 0, 0, 0], [0] * 5, [0, 0, 0, 1, 0], [0] * 5], float)
+    for place, entry in state_space().items():
+        shipped[place] = float(entry.subs(values))
+    scale = np.abs(found).max(axis=1, keepdims=True)
+    return float(max(np.abs((found - other) / scale).max() for other in (as_printed, shipped)))
 
 
 def _states() -> float:
@@ -60,15 +78,16 @@ def _eq_4() -> float:
 
 
 def _eq_5() -> float:
-    x, y = sp.symbols("x1 x2", positive=True)
-    return float(abs(euler(7 * x**2 + 2 * y**2, (x, y)) - 2))
+    return abs(degree("7*x1**2 + 2*x2**2", "x1", "x2") - 2)
 
 
 def _scaled(factors: tuple[float, float, float]) -> tuple[dict[str, float], float]:
     """The test vehicle and a time in other units of mass, length and time (eqs 7 and 8)."""
-    powers = {n: dimension_row(n) for n in PARAMETERS}
-    vehicle = {n: v * float(np.prod(np.power(factors, powers[n]))) for n, v in printed.TEST_VEHICLE.items()}
-    return vehicle, AT * factors[2]
+    vehicle = {
+        n: v * float(np.prod(np.power(factors, exponents("time", n))))
+        for n, v in printed.TEST_VEHICLE.items()
+    }
+    return vehicle, AT * float(np.prod(np.power(factors, exponents("time", "t"))))
 
 
 def _homogeneous() -> float:
@@ -76,24 +95,18 @@ def _homogeneous() -> float:
     factors = (2.2046, 3.2808, 1 / 60)
     vehicle, t = _scaled(factors)
     one, other = step_response(printed.TEST_VEHICLE, AT)[0], step_response(vehicle, t)[0]
-    return abs(other / (one * np.prod(np.power(factors, YAW_RATE))) - 1)
+    return abs(other / (one * np.prod(np.power(factors, right_sides("time")))) - 1)
 
 
 def _rows() -> float:
     """Eqs 9, 13, 14 and 16, with time among the arguments and the sign of its row put right."""
     _, S = step_response(printed.TEST_VEHICLE, AT)
-    return float(np.abs(row_sums(S) - YAW_RATE).max())
+    return float(np.abs(row_sums("time", S) - right_sides("time")).max())
 
 
 def _cube() -> float:
-    S = sp.Symbol("S", positive=True)
-    return float(abs(euler(S**3, (S,)) - 3))
-
-
-def _cube_scaled() -> float:
-    """Eqs 10 and 11: a side A times as long makes A³ the volume."""
-    S, A = sp.symbols("S A", positive=True)
-    return float(abs(sp.simplify((S**3).subs(S, A * S) / S**3 - A**3)))
+    """Eqs 10 to 12."""
+    return abs(degree("S**3", "S") - 3)
 
 
 def _bode() -> float:
@@ -137,31 +150,45 @@ def _rewritten() -> float:
 
 
 def _slope_taken_out() -> float:
-    """Eq 20 with k = π4/π3 is eq 19."""
-    return float(sum(e != 0 for e in transfer_19(False)))
+    """Eq 20: what the regression is derived from, as a transfer function, against the print with k for π4."""
+    A, B, C = proportional_matrices(bicycle_reduction(), unknown="pi3", slopes=("pi4",))
+    over, under = as_printed_20()
+    s = sp.Symbol("s")
+    found = (C * (s * sp.eye(2) - A).inv() * B)[0]
+    return float(sp.simplify(found - over / under) != 0)
+
+
+def as_printed_20() -> tuple[sp.Expr, sp.Expr]:
+    """Numerator and denominator of eq 20 in s, pi1, pi3, pi5 and pi4_slope, which is its π4."""
+    p1, p3, p5, k = (sp.Symbol(n, real=True) for n in ("pi1", "pi3", "pi5", "pi4_slope"))
+    s = sp.Symbol("s")
+    over = p1 / p5 * p3 * s + k / p5 * p3**2
+    under = s**2 + (1 + k + (p1**2 + (1 - p1) ** 2 * k) / p5) * p3 * s
+    return over, under + (k * p3**2 - p1 * p3 + (1 - p1) * k * p3) / p5
 
 
 _LQR = "similitude.simulation.lqr.path_matrices"
+_RULE = "similitude.invariance.invariances."
 _BODE = "similitude.paper.bode."
-_INVARIANCE = "similitude.paper.claims_invariance."
+_MODEL = "similitude.estimators.paper_model."
 _BICYCLE = "similitude.systems.bicycle."
 TABLE = (
     (1, "x' = A x + B u, y = C x + D u", _LQR, _state_space),
-    (2, "A and B of the bicycle in path-error coordinates", _LQR, _matrix_dimensions),
+    (2, "A and B of the bicycle in path-error coordinates", _LQR, _matrices),
     (3, "x = [y, ẏ, ψ, ψ̇]", _LQR, _states),
     (4, "ψ̇/δ as a transfer function, and the parameters of the test vehicle", _BICYCLE + "BICYCLE", _eq_4),
-    (5, "f(k x) = k² f(x) for 7 x1² + 2 x2²", _INVARIANCE + "euler", _eq_5),
-    (6, "y = f(x1 … xn)", _BODE + "step_response", _homogeneous),
-    (7, "K y = f(K1 x1 … Kn xn)", _BODE + "step_response", _homogeneous),
-    (8, "K = Aᵃ Bᵇ Cᶜ, Ki likewise: exponents of the units", _BODE + "dimension_row", _homogeneous),
-    (9, "a y = Σ ai xi ∂y/∂xi, one row a unit", _BODE + "row_sums", _rows),
-    (10, "V = S³", _INVARIANCE + "euler", _cube),
-    (11, "A³ V = (A S)³", _INVARIANCE + "euler", _cube_scaled),
-    (12, "3 V = S dV/dS", _INVARIANCE + "euler", _cube),
-    (13, "the three rows of the yaw rate: 0, 0, −1, time included", _INVARIANCE + "rows_of_13", _rows),
-    (14, "the same as a matrix, over y", _BODE + "row_sums", _rows),
-    (15, "S = (∂G/∂a)(a/G), Bode's sensitivity", _BODE + "step_response", _bode, 1e-7),
-    (16, "d = D S", _BODE + "row_sums", _rows),
+    (5, "f(k x) = k² f(x) for 7 x1² + 2 x2²", _RULE + "euler_rows", _eq_5),
+    (6, "y = f(x1 … xn)", _RULE + "invariances", _homogeneous),
+    (7, "K y = f(K1 x1 … Kn xn)", _RULE + "invariances", _homogeneous),
+    (8, "K = Aᵃ Bᵇ Cᶜ, Ki likewise: exponents of the units", _BODE + "exponents", _homogeneous),
+    (9, "a y = Σ ai xi ∂y/∂xi, one row a unit", _RULE + "invariances", _rows),
+    (10, "V = S³", _RULE + "euler_rows", _cube),
+    (11, "A³ V = (A S)³", _RULE + "euler_rows", _cube),
+    (12, "3 V = S dV/dS", _RULE + "euler_rows", _cube),
+    (13, "the three rows of the yaw rate: 0, 0, −1, time included", _RULE + "invariances", _rows),
+    (14, "the same as a matrix, over y", _RULE + "invariances", _rows),
+    (15, "S = (∂G/∂a)(a/G), Bode's sensitivity", _RULE + "Invariances", _bode, 1e-7),
+    (16, "d = D S", _RULE + "Invariances", _rows),
     (
         17,
         "π1 = a/L, π2 = b/L, π3 = Caf L/(m U²), π4 = Car L/(m U²), π5 = Iz/(m L²)",
@@ -170,5 +197,5 @@ TABLE = (
     ),
     (18, "averages of over 700 vehicles", "similitude.estimators.paper_design.PAPER_GROUPS", _averages),
     (19, "r*/δ in the groups and dimensionless s", _BICYCLE + "bicycle_groups", _rewritten),
-    (20, "the same with π4 = k π3", "similitude.estimators.paper_model.regression", _slope_taken_out),
+    (20, "the same with π4 = k π3", _MODEL + "proportional_matrices", _slope_taken_out),
 )

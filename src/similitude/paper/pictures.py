@@ -67,10 +67,8 @@ PICTURES = {
         "slight lag and "
         "a small steady bias.",
         "The same drive (scenario square_closed_loop), a perfect sensor. The first bias is as small as "
-        "printed. With "
-        "the printed λ the estimate swings about the middle of the two values; with a tenth of the memory "
-        "it goes "
-        "further, and is still on its way when the next change comes.",
+        "printed. With the printed λ the estimate swings about the middle of the two values; with a "
+        "twentieth of the memory it gets there, in the jumps of the path, since only they teach.",
         pictures_drives.figure_5,
     ),
     "6": Picture(
@@ -88,8 +86,8 @@ PICTURES = {
         "while the tyres hydroplane and at the fish-tail of 88 s, and recovers.",
         "A simulation of that story (scenario treadmill_hydroplaning): the motion is there, the fish-tail "
         "included. "
-        "The estimate is not: the printed λ forgets too slowly to fall, and without grip every push of the "
-        "belt raises it. Our vehicle is back on the dry two seconds earlier.",
+        "The estimate is not: the printed λ forgets too slowly to fall, and while hydroplaning it rises. Our "
+        "vehicle is back on the dry two seconds earlier.",
         pictures_drives.figure_7,
     ),
     "noise": Picture(

@@ -11,10 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from similitude.paper.canvas import DARK, INK, LIGHT, MUTED, OURS, PAPER, TRUTH, WET, label, legend, panels
-from similitude.paper.claims_figure_5 import CHANGES, filter_reads, least_sd, paper_reads
+from similitude.paper.claims_figure_5 import CHANGES, FITTING, filter_reads, least_sd, paper_reads
 from similitude.paper.claims_figure_7 import belt_filter, belt_paper
 from similitude.paper.claims_figure_7 import least_sd as belt_least_sd
-from similitude.paper.drives import Drive, belt, belt_scheduled, regression_reads, square
+from similitude.paper.drives import Drive, belt, belt_scheduled, square
 
 THIN = slice(None, None, 20)
 
@@ -35,15 +35,20 @@ def figure_5() -> Figure:
     figure, (top, middle, bottom) = panels(3, 5.6)
     drive = square()
     _place(top, drive)
+    top.set_ylim(-0.11, 0.15)
     legend(top, "upper right", 2)
     _yaw(middle, drive)
     bottom.plot(drive.t[THIN], drive.pi3[THIN], color=TRUTH, lw=1.1, label="true")
     bottom.plot(
         drive.t[THIN], paper_reads()[THIN], color=PAPER, lw=1.4, label="the paper's estimate, λ = 0.99995"
     )
-    shorter = regression_reads(drive, drive.r, forgetting=0.9995)
     bottom.plot(
-        drive.t[THIN], shorter[THIN], color=PAPER, lw=0.9, ls=(0, (4, 2)), label="the same with λ = 0.9995"
+        drive.t[THIN],
+        paper_reads(FITTING)[THIN],
+        color=PAPER,
+        lw=0.9,
+        ls=(0, (4, 2)),
+        label=f"the same with λ = {FITTING}",
     )
     bottom.set_ylim(0, 0.42)
     label(bottom, "t [s]", "π3 [-]")

@@ -24,7 +24,7 @@ from similitude.paper.claims_invariance import invariance_claims
 from similitude.paper.claims_noise import noise_claims
 from similitude.paper.claims_population import population_claims
 from similitude.paper.claims_seven import seven_claims
-from similitude.paper.drives import belt, belt_scheduled, square
+from similitude.paper.drives import belt, belt_scheduled, belt_soft, belt_softest, belt_told, square
 from similitude.paper.equations import EQUATIONS, Equation
 from similitude.program.library import shipped
 
@@ -40,7 +40,7 @@ SUBJECTS: dict[str, Callable[[], list[Claim]]] = {
     "Figure 5": figure_5_claims,
     "Figure 7 and the scheduled gain": figure_7_claims,
 }
-LONG = (belt_scheduled, belt, wet_lane_runs, grip_alone, square)
+LONG = (wet_lane_runs, belt_scheduled, belt, belt_told, belt_soft, belt_softest, grip_alone, square)
 
 
 @dataclass(frozen=True, eq=False)

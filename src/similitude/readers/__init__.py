@@ -9,6 +9,7 @@ from pathlib import Path
 
 from similitude.errors import LogError, shown
 from similitude.finding import Finding
+from similitude.readers.csv_text import wide_text
 from similitude.readers.table import READ, Loaded, Table, noted
 
 __all__ = ["Loaded", "Table", "open_table"]
@@ -119,8 +120,7 @@ def _refuse_foreign(path: Path, start: bytes, named_parquet: bool) -> None:
                 read=READ,
                 fault="foreign_format",
             )
-    wide = start.startswith((b"\xff\xfe", b"\xfe\xff"))  # UTF-16 text holds zero bytes
-    if b"\x00" in start and not wide:
+    if b"\x00" in start and wide_text(start) is None:  # UTF-16 text holds zero bytes
         what = "is damaged at its start" if named_parquet else "is no text: it holds zero bytes"
         raise LogError(
             f"{path.name} {what}, so it is neither a CSV nor a Parquet log",

@@ -8,14 +8,15 @@ A data row is counted from 1 for the first row below the header, in every messag
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from similitude.errors import LogError, shown
 from similitude.finding import Finding
-from similitude.readers.clock_text import clock_seconds, looks_like_clock
+from similitude.readers.clock_text import clock_seconds, days_of, looks_like_clock
+from similitude.readers.csv_cells import date_order, text_in_cell, two_decimal_signs
+from similitude.readers.csv_header import check_header
 from similitude.readers.csv_text import NUMBER, CsvText, take_apart
 from similitude.readers.table import READ, Loaded, Table, noted
 
@@ -49,6 +50,7 @@ def open_csv(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
             fault="cannot_open",
         ) from None
     text = take_apart(path, raw)
+    check_header(text)
     first = text.first_cells()
 
     def is_clock(position: int) -> bool:
@@ -181,7 +183,7 @@ def _load_cell_by_cell(
         ) from None
     findings = _judge_rows(text, table.num_rows, odd_rows)
     rows = [
-        [(cell or b"").decode("utf-8", "replace").strip() for cell in table.column(name).to_pylist()]
+        [_plain((cell or b"").decode("utf-8", "replace")) for cell in table.column(name).to_pylist()]
         for name in names
     ]
     wrong = _wrong_cells(rows, clocks)
@@ -194,14 +196,17 @@ def _load_cell_by_cell(
         set() if "text_in_cell" in blanked else texts
     )
     if refused:
-        raise _text_in_cell(text, rows, positions, len(refused), *min(refused))
+        raise text_in_cell(text, rows, positions, refused)
     if texts:
         findings += (_left_out(len(texts)),)
     for row, place in wrong:
         rows[place][row - 1] = ""
+    for cells, clock in zip(rows, clocks, strict=True):
+        if clock and len(days_of(cells)) > 1:
+            raise date_order(text, days_of(cells))
     plain = [cells for cells, clock in zip(rows, clocks, strict=True) if not clock]
     if len({sign for cells in plain for cell in cells for sign in ".," if sign in cell}) > 1:
-        raise _two_decimal_signs(text, rows, positions)
+        raise two_decimal_signs(text, rows, positions)
     columns = [
         clock_seconds(cells)
         if clock
@@ -209,6 +214,11 @@ def _load_cell_by_cell(
         for cells, clock in zip(rows, clocks, strict=True)
     ]
     return Loaded(tuple(columns), findings)
+
+
+def _plain(cell: str) -> str:
+    """The cell without blanks around it, and with the minus sign of typesetters as a plain one."""
+    return cell.strip().replace("\N{MINUS SIGN}", "-")
 
 
 def _wrong_cells(rows: list[list[str]], clocks: list[bool]) -> set[tuple[int, int]]:
@@ -219,57 +229,3 @@ def _wrong_cells(rows: list[list[str]], clocks: list[bool]) -> set[tuple[int, in
         for row, cell in enumerate(cells, start=1)
         if cell not in _NULLS and not (looks_like_clock(cell) if clock else NUMBER.fullmatch(cell))
     }
-
-
-def _text_in_cell(
-    text: CsvText, rows: list[list[str]], positions: Sequence[int], count: int, row: int, place: int
-) -> LogError:
-    header, cell = text.headers[positions[place]], rows[place][row - 1]
-    what = f"column {shown(header)} of {text.path.name}, data row {row}: {shown(cell)} is no number"
-    if cell == header:
-        return LogError(
-            f"{what}: the header stands there again",
-            usually="two recordings were joined end to end; this keeps the longer one.",
-            paste="--fix keep_longest_part",
-            read=READ,
-            fault="header_again",
-        )
-    if row == 1 and not any(NUMBER.fullmatch(cells[0]) for cells in rows):
-        return LogError(
-            what,
-            usually="the units stand in a second header line; write them in the first, in brackets.",
-            paste=f"{header} [{cell}]",
-            read=READ,
-            fault="second_header",
-        )
-    thousands = re.fullmatch(r"[-+]?\d{1,3}(?:,\d{3})+(?:\.\d+)?", cell)
-    return LogError(
-        what + (f"; {count} cells are text" if count > 1 else ""),
-        usually="thousands are parted by commas; write the number without them."
-        if thousands
-        else "the logger or a spreadsheet wrote a word for a missing value; this leaves the cell empty.",
-        paste=cell.replace(",", "") if thousands else "--fix blank_text",
-        read=READ,
-        fault="text_in_cell",
-    )
-
-
-def _two_decimal_signs(text: CsvText, rows: list[list[str]], positions: Sequence[int]) -> LogError:
-    first = {
-        sign: min(
-            (row, text.headers[position], cell)
-            for position, cells in zip(positions, rows, strict=True)
-            for row, cell in enumerate(cells, start=1)
-            if sign in cell
-        )
-        for sign in ".,"
-    }
-    places = [f"{shown(cell)} in column {shown(name)}, data row {row}"
-              for row, name, cell in first.values()]  # fmt: skip
-    return LogError(
-        f"{text.path.name} mixes decimal points and decimal commas: {' and '.join(places)}",
-        usually="two recordings were joined, or thousands are parted by a sign.",
-        paste=f"sed 's/,/./g' {text.path.name} > points.csv",
-        read=READ,
-        fault="decimal_comma",
-    )

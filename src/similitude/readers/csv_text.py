@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import re
+import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,6 +19,8 @@ NUMBER = re.compile(
     r"\s*[-+]?(?:(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?|nan|inf|infinity)\s*", re.IGNORECASE
 )
 LONGEST_HEADER = 1_000_000  # characters; ten thousand columns with long names
+FEWEST_WIDE = 8  # characters; fewer do not tell an encoding
+WIDE_SHARE = 0.9  # of the high bytes are zero in a text of Latin letters and digits
 LINE_END = re.compile(rb"\r\n|\n|\r")
 
 
@@ -29,6 +32,7 @@ class CsvText:
     headers: tuple[str, ...]
     separator: str
     body: bytes
+    whole: bytes = b""
 
     def first_cells(self) -> tuple[str, ...]:
         """Cells of the first row, without blanks around them."""
@@ -36,9 +40,46 @@ class CsvText:
         return _cells(line.decode("utf-8", errors="replace"), self.separator)
 
 
+@dataclass(frozen=True)
+class Line:
+    """A line of the file, counted from 1, taken apart at the separator it has most of."""
+
+    number: int
+    cells: list[str]
+    separator: str
+
+
+def lines_of(text: CsvText, most: int) -> list[Line]:
+    """The first lines that are neither empty nor comments."""
+    lines = []
+    for number, line in enumerate(LINE_END.split(text.whole[:LONGEST_HEADER])[:most], start=1):
+        plain = line.decode("utf-8", errors="replace").strip(" ")
+        if not plain.strip() or plain.startswith(("#", "sep=")):
+            continue
+        # A comma may be a decimal one; the others stand in no number.
+        separator = max(_SEPARATORS[1:], key=plain.count)
+        separator = separator if separator in plain else ","
+        lines.append(Line(number, list(_cells(plain, separator)), separator))
+    return lines
+
+
+def wide_text(start: bytes) -> str | None:
+    """The name of the two-byte encoding in which a text begins, or None: by its mark, or its zeros."""
+    if start.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    even, odd = start[: 2 * (len(start) // 2) : 2], start[1::2]
+    if len(odd) < FEWEST_WIDE:
+        return None
+    for name, zeros, letters in (("utf-16-le", odd, even), ("utf-16-be", even, odd)):
+        if zeros.count(0) > WIDE_SHARE * len(zeros) and letters.count(0) == 0:
+            return name
+    return None
+
+
 def _utf8(raw: bytes) -> bytes:
-    if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return raw.decode("utf-16", errors="replace").encode()
+    wide = wide_text(raw[:4096])
+    if wide is not None:
+        return raw.decode(wide, errors="replace").encode()
     raw = raw.removeprefix(b"\xef\xbb\xbf")
     try:
         raw.decode("utf-8")
@@ -60,14 +101,9 @@ def take_apart(path: Path, raw: bytes) -> CsvText:
             fault="no_header",
         )
     separator = max(_SEPARATORS, key=line.count)
-    if separator not in line and len(re.findall(r"\[[^]]*\]", line)) > 1:
-        raise LogError(
-            f"the header of {path.name} has no comma, semicolon or tab: {shown(line)}",
-            usually="columns are parted by blanks.",
-            paste=re.sub(r"\]\s+", "],", line.strip())[:200],
-            read=READ,
-            fault="no_header",
-        )
+    first = LINE_END.split(body.lstrip(b"\r\n"), maxsplit=1)[0].strip(b" ")
+    if separator not in line:
+        _refuse_other_separator(path, line, first.decode("utf-8", errors="replace"))
     headers = _cells(line, separator)
     if any(headers) and all(NUMBER.fullmatch(cell) for cell in headers if cell):
         raise LogError(
@@ -77,10 +113,29 @@ def take_apart(path: Path, raw: bytes) -> CsvText:
             read=READ,
             fault="no_header",
         )
-    first = LINE_END.split(body.lstrip(b"\r\n"), maxsplit=1)[0].strip(b" ")
     if first.endswith(separator.encode()) and first.count(separator.encode()) == len(headers):
         headers = (*headers, "")  # every row closes with a separator, the header does not
-    return CsvText(path, headers, separator, body)
+    return CsvText(path, headers, separator, body, raw)
+
+
+def _refuse_other_separator(path: Path, line: str, first: str) -> None:
+    """Refuse a table whose columns are parted by blanks or another sign, with the command that changes it."""
+    if len(re.findall(r"\[[^]]*\]", line)) > 1:
+        sign = (re.findall(r"\]\s*([^\s\w\[\]])", line) or [" "])[0]
+    elif len(first.split()) > 1 and all(NUMBER.fullmatch(cell) for cell in first.split()):
+        sign = " "
+    else:
+        return
+    change = r"s/^ +//; s/\] +/],/g; 2,$s/[[:space:]]+/,/g" if sign == " " else f"s/[{sign}]/,/g"
+    if sign == " " and "]" not in line:
+        change = "s/^ +//; s/[[:space:]]+/,/g"
+    raise LogError(
+        f"the header of {path.name} has no comma, semicolon or tab: {shown(line)}",
+        usually=f"columns are parted by {'blanks' if sign == ' ' else shown(sign)}; this writes commas.",
+        paste=f"sed -E {shlex.quote(change)} {shlex.quote(str(path))} > table.csv",
+        read=READ,
+        fault="no_header",
+    )
 
 
 def _header_line(raw: bytes) -> tuple[str, bytes]:

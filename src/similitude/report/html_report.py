@@ -67,6 +67,8 @@ def html_report(run: Run, record: Mapping[str, Any]) -> str:
     """
     charts = charts_of(run)
     parts = [_verdict(run), *_changes(run)]
+    if run.log.fixes:
+        parts.append(section("Repaired as asked", bullets(run.log.fixes)))
     if run.warnings:
         parts.append(section("Warnings", bullets(run.warnings)))
     parts += [_glance(run, charts), _estimate(run, charts)]

@@ -159,6 +159,15 @@ def read_kind(kinds: Mapping[str, type], given: object, place: Place) -> Any:
             read=READ,
         )
     rest = {name: value for name, value in given.items() if name != "kind"}
+    if rest and not keys_of(kinds[named]):
+        refuse(
+            place, next(iter(rest)),
+            f"{', '.join(map(shown, rest))} cannot be said of {place.section} kind = {shown(named)}, which "
+            "has no keys of its own",
+            usually="the kind was changed and the keys of the other kind were left: delete their lines, or "
+            "set the whole section anew.",
+            paste=f"--set '{place.section}={{ kind = \"{named}\" }}'",
+        )  # fmt: skip
     return read_table(kinds[named], rest, place)
 
 

@@ -20,7 +20,7 @@ from similitude.simulation.car import Car, generator
 from similitude.simulation.foreign import SLOWEST, ForeignPlant
 from similitude.simulation.lqr import Follower, Lqr
 from similitude.simulation.plant import Output, Plant, Push
-from similitude.simulation.road import Felt, feel, wander
+from similitude.simulation.road import Felt, feel, stiffness_under_axle, wander
 from similitude.simulation.scenario import Scenario
 from similitude.simulation.sections import Commonroad, Linear, TwoTrackKeys
 from similitude.simulation.sensors import errors_of, reading
@@ -88,7 +88,7 @@ def drive(scenario: Scenario, car: Car, seeds: Sequence[int], estimate: Estimate
     plant = make_plant(scenario, car, on)
     is_closed = isinstance(scenario.driver, Lqr)
     way = (
-        _Following(scenario, car, t, seeds, felt, estimate)
+        _Following(scenario, car, t, seeds, pushes, estimate)
         if is_closed
         else _Open(np.stack([scenario.driver.steer(t, seed) for seed in seeds], axis=1))
     )
@@ -147,10 +147,11 @@ class _Open:
 class _Following:
     """A driver with a path, who feels the car, perhaps through the logger's gyro."""
 
-    def __init__(self, scenario, car, t, seeds, felt, estimate) -> None:
+    def __init__(self, scenario, car, t, seeds, pushes, estimate) -> None:
         self._driver = scenario.driver
         self._follower = Follower(scenario.driver, scenario.vehicle.nominal(), t)
-        self._t, self._stiffness = t.tolist(), felt.stiffness.tolist()
+        self._t, self._pushes, self._front = t.tolist(), pushes, car.a
+        self._half_track = 0.5 * getattr(scenario.plant, "track", 0.0)
         self._every = scenario.timing.rows_every
         self._sensor = scenario.sensors.r
         errors = yaw_rate_errors(scenario, t[:: self._every], seeds)
@@ -162,8 +163,8 @@ class _Following:
         if self._driver.schedule == "estimate" and estimate is None:
             raise ScenarioError(
                 "driver.schedule = 'estimate' needs an estimate, and none was given",
-                usually="the scenario is run from Python, with a function that returns pi3.",
-                paste='schedule = "truth"',
+                usually="the loop was called by itself; `run_scenario` runs the population filter beside it.",
+                paste="run_scenario(scenario, [0])",
                 read='docs/simulate.md, "Drivers"',
             )
 
@@ -177,7 +178,10 @@ class _Following:
         y_dot = state.U * on.sin(state.psi) + state.v * on.cos(state.psi)
         believed = None
         if self._driver.schedule == "truth":
-            believed = self._stiffness[k]
+            push = self._pushes.at(k, 0.0)
+            believed = stiffness_under_axle(
+                push, state, ahead=self._front, half_track=self._half_track, on=on
+            )
         elif self._driver.schedule == "estimate":
             pi3 = self._estimate(self._t[k], rack, self._felt_r, state.U)
             believed = pi3 * state.U * state.U / self._pi3

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from similitude.simulation.car import GRAVITY, Car, generator
 from similitude.simulation.loop import Estimate, Motion, drive, yaw_rate_errors
 from similitude.simulation.road import surface_under_axle
+from similitude.simulation.running_filter import RunningFilter
 from similitude.simulation.scenario import Scenario
 from similitude.simulation.sections import Commonroad
 from similitude.simulation.sensors import errors_of, written
@@ -62,7 +63,8 @@ def run_scenario(
     car : Car                 instead of the scenario's: floats for one seed, (seeds,) arrays for
                               more. The vehicle file still tells what the scenario states.
     estimate : function       (t [s], steer [rad], yaw rate [rad/s], speed [m/s]) -> π3 [-], called
-                              at every step for a driver with ``schedule = "estimate"``
+                              at every step for a driver with ``schedule = "estimate"``; when left
+                              out, the population filter runs beside each drive
 
     Returns
     -------
@@ -70,12 +72,20 @@ def run_scenario(
 
     Raises
     ------
-    ScenarioError   the step is too long, the motion left all bounds, or an estimate is missing
+    ScenarioError   the step is too long, the motion left all bounds, or the filter that is to run
+                    beside the drive has a gyro without any noise
     UsageError      the plant's package is not installed
     """
     seeds = list(seeds)
-    if isinstance(scenario.plant, Commonroad) and len(seeds) > 1:  # they know floats only
-        return [run_scenario(scenario, [seed], estimate=estimate)[0] for seed in seeds]
+    is_heard = getattr(scenario.driver, "schedule", "none") == "estimate" and estimate is None
+    if len(seeds) > 1 and (is_heard or isinstance(scenario.plant, Commonroad)):  # they know floats only
+        cars = [None if car is None else _car(car, i) for i in range(len(seeds))]
+        return [
+            run_scenario(scenario, [seed], car=one, estimate=estimate)[0]
+            for seed, one in zip(seeds, cars, strict=True)
+        ]
+    if is_heard:
+        estimate = RunningFilter(scenario)
     cars = scenario.vehicle.draw(seeds) if car is None else car
     motion = drive(scenario, cars, seeds, estimate)
     errors = yaw_rate_errors(scenario, motion.t[:: scenario.timing.rows_every], seeds)
@@ -89,7 +99,7 @@ def _record(scenario: Scenario, cars: Car, motion: Motion, i: int, seed: int, gy
         x = x if x.ndim < 2 else x[:, i]
         return np.broadcast_to(x, motion.t.shape)
 
-    car = Car(**{name: _one(getattr(cars, name), i) for name in ("m", "Iz", "a", "b", "Caf", "Car")})
+    car = _car(cars, i)
     fine = _fine_truth(scenario, motion, car, column)
     rows = slice(None, None, scenario.timing.rows_every)
     truth = {name: np.ascontiguousarray(values[rows]) for name, values in fine.items()}
@@ -97,6 +107,11 @@ def _record(scenario: Scenario, cars: Car, motion: Motion, i: int, seed: int, gy
     return Recording(
         scenario.name, seed, log, truth, scenario.vehicle.vehicle_file(), _warnings(scenario, truth)
     )
+
+
+def _car(cars: Car, i: int) -> Car:
+    """One of many, in floats."""
+    return Car(**{name: _one(getattr(cars, name), i) for name in ("m", "Iz", "a", "b", "Caf", "Car")})
 
 
 def _one(value: Any, i: int) -> float:

@@ -18,7 +18,7 @@ from similitude.dimension import FORCE, LENGTH, TIME
 from similitude.simulation.arithmetic import Arithmetic
 from similitude.simulation.car import GRAVITY, generator
 from similitude.simulation.keys import ANGLE, NUMBER, choice, key, table, tables
-from similitude.simulation.plant import Push
+from similitude.simulation.plant import Output, Push
 
 _EVERYWHERE = math.inf
 
@@ -224,6 +224,26 @@ def surface_at(push: Push, x: Any, y: Any, side: str, on: Arithmetic) -> tuple[A
         if patch.friction > 0:
             friction = on.where(inside, patch.friction, friction)
     return stiffness, friction
+
+
+def stiffness_under_axle(push: Push, seen: Output, *, ahead: Any, half_track: float, on: Arithmetic) -> Any:
+    """Return the stiffness factor [-] of an axle at one instant, the mean of its two wheels.
+
+    Parameters
+    ----------
+    push : Push               with the patches that lie there at the time
+    seen : Output             where the centre of gravity is and where the car points
+    ahead : float or (cars,)  of the axle before the centre of gravity [m]
+    half_track : float        of a wheel from the middle of the axle [m], 0 on a single track
+    on : Arithmetic
+    """
+    if not push.patches:
+        return push.stiffness
+    forward, aside = on.cos(seen.psi), on.sin(seen.psi)
+    x, y = seen.x + ahead * forward, seen.y + ahead * aside
+    sides = (("left", half_track), ("right", -half_track))
+    both = [surface_at(push, x - w * aside, y + w * forward, side, on)[0] for side, w in sides]
+    return 0.5 * (both[0] + both[1])
 
 
 def surface_under_axle(

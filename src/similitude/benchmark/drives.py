@@ -1,0 +1,153 @@
+"""The drives of a cell: cars drawn, simulated once a seed, what their loggers wrote, and the truth.
+
+Cars are drawn about the population's mean as in the reference experiment of docs/filter.md: L U(2.3, 3.2) m,
+pi1 N(0.4431, 0.025), ln k N(ln 1.0977, 0.12), ln pi5 N(ln 0.251, 0.08), ln K N(ln 145.68, 0.2). A car that
+oversteers is drawn again: a given speed beyond its critical one is no drive. The foreign cars are three, in
+turn, and differ otherwise in their sensors' noise alone.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.benchmark.cells import PLANTS, Cell
+from similitude.benchmark.kept_drives import kept
+from similitude.simulation.car import Car, generator
+from similitude.simulation.foreign import VEHICLES, foreign_car
+from similitude.simulation.recording import Recording, run_scenario
+from similitude.simulation.scenario import Scenario, read_scenario
+from similitude.units import Uncertain, parse_unit
+from similitude.vehicle_file import Vehicle
+
+Array = NDArray[np.float64]
+NOISE = np.deg2rad(0.15)  # rad/s, that of the scenario's gyro
+K, LN_K_SD = 145.68, 0.2  # m^2/s^2
+PI1, PI1_SD = 0.4431, 0.025
+K_RATIO, LN_K_RATIO_SD = 1.0977, 0.12  # pi4/pi3
+PI5, LN_PI5_SD = 0.251, 0.08
+LEAST_ETA = 1.05
+MASS = 1500.0  # kg; it cancels, but for the weight of a gust
+GROUPS = ("pi1", "eta", "rho")
+BASE = "slalom"  # the shipped scenario whose every section is replaced
+
+
+@dataclass(frozen=True, eq=False)
+class Drive:
+    """What an estimator is given: a log and a vehicle file, nothing else.
+
+    Parameters
+    ----------
+    t : (n,)           time [s], 100 Hz
+    delta, r, U : (n,) road-wheel angle [rad], yaw rate [rad/s], speed [m/s]; NaN where a sample is lost
+    vehicle : Vehicle  wheelbase, population, and the gyro's noise per sample [rad/s]
+    """
+
+    t: Array
+    delta: Array
+    r: Array
+    U: Array
+    vehicle: Vehicle
+
+    @property
+    def L(self) -> float:
+        """Wheelbase [m]."""
+        return self.vehicle.L.value
+
+    @property
+    def noise(self) -> float:
+        """Sd of the gyro's noise [rad/s]."""
+        return self.vehicle.yaw_rate_noise.value
+
+    def until(self, t: float) -> Drive:
+        """Return the part before a time [s]."""
+        rows = self.t < t
+        return Drive(self.t[rows], self.delta[rows], self.r[rows], self.U[rows], self.vehicle)
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """What a drive was: K (n,) [m^2/s^2], steer at the wheels (n,) [rad], groups pi1, eta, rho [-]."""
+
+    K: Array
+    delta: Array
+    groups: dict[str, float]
+
+
+def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
+    """Simulate a cell.
+
+    Parameters
+    ----------
+    cell : Cell
+    seed : int   the run's; drive i has the seed ``seed + i``
+
+    Returns
+    -------
+    list of (Drive, Truth), one a seed
+    """
+    seeds = [seed + i for i in range(cell.seeds)]
+    if cell.is_foreign:
+        return [_foreign(cell, one) for one in seeds]
+    cars = draw(seeds, cell.car)
+    recordings = run_scenario(scenario(cell), seeds, car=cars)
+    return [_told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
+
+
+def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
+    """One drive of a foreign plant, simulated once and kept; the cars take turns."""
+    vehicle = list(VEHICLES)[seed % len(VEHICLES)]
+    made = kept(
+        {"scenario": cell.changes, "vehicle": vehicle, "seed": seed},
+        lambda: columns(run_scenario(scenario(cell, vehicle), [seed])[0]),
+    )
+    return _told(made, foreign_car(PLANTS[cell.plant]["model"], vehicle).L)
+
+
+def columns(one: Recording) -> dict[str, Array]:
+    """Return what the benchmark reads of a recording: arrays (n,) in SI by a short name."""
+    log, truth = one.log, one.truth
+    found = {"t": log["t [s]"], "delta": log["delta [rad]"], "r": log["r [rad/s]"], "U": log["U [m/s]"]}
+    found |= {"K": truth["K [m^2/s^2]"], "acting": truth["delta [rad]"]}
+    return found | {name: truth[f"{name} [-]"] for name in GROUPS}
+
+
+def draw(seeds: list[int], factors: dict[str, float]) -> Car:
+    """Return the cars of the seeds: floats for one, arrays (seeds,) for more; ``factors`` on K and eta."""
+    rows = [_one_car(generator(seed, "benchmark car")) for seed in seeds]
+    L, k, pi1, eta, rho = np.array(rows).T if len(rows) > 1 else rows[0]
+    return Car.of_groups(L=L, K=k * factors["K"], pi1=pi1, eta=eta * factors["eta"], rho=rho, m=MASS + 0 * L)
+
+
+def _one_car(rng: np.random.Generator) -> tuple[float, ...]:
+    while True:
+        L, stiffness = rng.uniform(2.3, 3.2), K * np.exp(LN_K_SD * rng.standard_normal())
+        pi1 = rng.normal(PI1, PI1_SD)
+        ratio = K_RATIO * np.exp(LN_K_RATIO_SD * rng.standard_normal())
+        pi5 = PI5 * np.exp(LN_PI5_SD * rng.standard_normal())
+        eta = ratio * (1 - pi1) / pi1
+        if eta > LEAST_ETA:
+            return L, stiffness, pi1, eta, pi5 / (pi1 * (1 - pi1))
+
+
+def scenario(cell: Cell, foreign: str = "") -> Scenario:
+    """Return a cell's scenario; ``foreign`` names the car that its plant brings along."""
+    changes = cell.changes
+    if foreign:
+        changes["plant"]["vehicle"] = foreign
+        changes["vehicle"] = {"name": foreign, "population": "passenger_cars", "known": ["L"]}
+    return read_scenario(BASE, changes=changes)
+
+
+def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+    vehicle = Vehicle(
+        "benchmark",
+        L=Uncertain(L, None, parse_unit("m")),
+        yaw_rate_noise=Uncertain(NOISE, None, parse_unit("rad/s")),
+        origins={"L": "vehicle file", "yaw_rate_noise": "vehicle file"},
+    )
+    drive = Drive(one["t"], one["delta"], one["r"], one["U"], vehicle)
+    groups = {name: float(one[name][0]) for name in GROUPS}
+    return drive, Truth(one["K"], one["acting"], groups)

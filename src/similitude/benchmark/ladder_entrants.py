@@ -1,0 +1,138 @@
+"""Our own entrants: the estimators of the ladder, through their compiled loops and without reports.
+
+They are what `identify` runs, with one difference: nothing is taken from the end of a log for its
+beginning. The steer lag is that of measured angles (10 ms, sd 8 ms) and not fitted; only `batch` sees a
+whole log at once.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from similitude.benchmark.drives import Drive
+from similitude.benchmark.entrant import Answer, Entrant
+from similitude.change_alarm import watch
+from similitude.estimators import paper_design
+from similitude.estimators.paper_bias import predicted_bias
+from similitude.filter_config import MEASURED_STEER_SD
+from similitude.filter_run import Pass, population_setup, side_by_side
+from similitude.identify_paper import known_errors
+from similitude.identify_population import edges, trace_of
+from similitude.identify_setup import Prepared, whole_log
+from similitude.ladder_passes import doubts, rung
+from similitude.log import Log
+from similitude.noise import SensorNoise
+from similitude.program.library import Library, shipped
+from similitude.steer_lag import MEASURED_LAG, LagScan
+from similitude.vehicle_prior import vehicle_prior
+from similitude.verdict import evidence, verdict
+
+SCAN = LagScan(np.empty(0), np.empty(0), MEASURED_LAG.value, "assumed", MEASURED_LAG.sd)
+
+
+def ladder() -> list[Entrant]:
+    """Return the six estimators, the simplest first."""
+    return [
+        Entrant("paper", "the paper's regression, exactly", _paper),
+        Entrant("band", "first-order regression in a band", partial(_regression, "band")),
+        Entrant("output_error", "recursive prediction error", partial(_regression, "output_error")),
+        Entrant("robust", "state-variable filter, four parameters", partial(_regression, "robust")),
+        Entrant("population", "Kalman filter with the population as prior, and its alarm", _population),
+        Entrant("batch", "maximum a posteriori over the whole log", _batch, whole_log=True),
+    ]
+
+
+def prepared(drive: Drive) -> Prepared:
+    """Return a drive ready for the population's estimators, with nothing taken from its end."""
+    log = Log(
+        name="benchmark", path=None, t=drive.t, delta=drive.delta, r=drive.r, U=drive.U, ay=None, sources={}
+    )
+    prior = vehicle_prior(drive.vehicle)
+    setup = population_setup(
+        log, prior, L=drive.L, noise_std=drive.noise, input_scale_sd=MEASURED_STEER_SD
+    ).with_lag(SCAN.chosen, MEASURED_STEER_SD)
+    return Prepared(drive.vehicle, prior, SensorNoise(drive.noise, 1.0, 0.0), setup, SCAN, False, {})
+
+
+def _population(drive: Drive) -> Answer:
+    ready = prepared(drive)
+    lags = [SCAN.chosen, SCAN.chosen + SCAN.std, SCAN.chosen - SCAN.std]
+    done, later, earlier = side_by_side([ready.setup.with_lag(lag, MEASURED_STEER_SD).run for lag in lags])
+    spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2
+    sd = np.hypot(np.sqrt(done.output("variance")), spread)
+    trace = trace_of(done, done.output("estimate"), sd)
+    watched = watch(done)
+    operations = done.setup.library.layout.OPERATIONS + shipped("bicycle_monitor").layout.OPERATIONS
+    return Answer(
+        K=trace.K,
+        ln_K_std=sd,
+        alarms=[alarm.t for alarm in watched.alarms],
+        identified=_identified(ready, trace, done, edges(done)),
+        operations=operations,
+        step_seconds=_seconds(ready.setup.run) + _seconds(partial(watch, done)),
+    )
+
+
+def _regression(name: str, drive: Drive) -> Answer:
+    ready = prepared(drive)
+    one = rung(name, ready.setup, ready.prior)
+    done = one.run()
+    sd = np.sqrt(sum(part**2 for part in doubts(done, SCAN).values()))
+    sd[np.cumsum(done.output("unknowns") > 0) == 0] = ready.prior.std[0]
+    return Answer(
+        K=done.output("estimate"),
+        ln_K_std=sd,
+        operations=one.library.layout.OPERATIONS,
+        step_seconds=_seconds(one.run),
+    )
+
+
+def _paper(drive: Drive) -> Answer:
+    ready = prepared(drive)
+    library = shipped("bicycle_paper")
+    sample_time = float(np.median(np.diff(drive.t)))
+    config = paper_design.paper_config(
+        library, sample_time=sample_time, L=drive.L, noise_std=drive.noise, **paper_design.PAPER_GROUPS
+    )
+    state, rows = library.start(config), ready.setup.samples()
+    outputs, _ = library.run(config, state, rows)
+    speed = float(state[library.index("state", "last_U")]) or 1.0
+    pi3 = ready.prior.mean[0] / speed**2
+    bias = predicted_bias(library, config, state, noise_std=drive.noise, pi3=pi3)
+    off = known_errors(paper_design.dimensionless_step(sample_time, speed, drive.L), bias, command=False)
+    return Answer(
+        K=outputs[:, library.index("output", "estimate")],
+        ln_K_std=np.hypot(np.sqrt(outputs[:, library.index("output", "variance")]), off),
+        operations=library.layout.OPERATIONS,
+        step_seconds=_seconds(partial(_again, library, config, rows)),
+    )
+
+
+def _batch(drive: Drive) -> Answer:
+    ready = prepared(drive)
+    fit = whole_log(ready, ready.setup.run())
+    return Answer(K=fit.values["K"], ln_K_std=float(fit.std[0]))
+
+
+def _identified(ready: Prepared, trace: Any, done: Pass, at_limit: tuple[str, ...]) -> bool:
+    seen = evidence(
+        ready.setup.log, trace, ready.prior, noise_scale=done.value("noise_scale"), at_limit=at_limit
+    )
+    return verdict(seen)[0] == "identified"
+
+
+def _again(library: Library, config: NDArray[np.float64], rows: NDArray[np.float64]) -> None:
+    library.run(config, library.start(config), rows)
+
+
+def _seconds(loop: Callable[[], Any]) -> float:
+    """Time of one more run of a loop [s]."""
+    begun = time.perf_counter()
+    loop()
+    return time.perf_counter() - begun

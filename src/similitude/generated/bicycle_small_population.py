@@ -1,0 +1,714 @@
+"""Small population filter of the bicycle: layout and scalar twin. Generated from its model by similitude; do not edit.
+
+model: bicycle, Brennan & Alleyne 2004, eqs 1-4
+base: m, L, U
+unknowns: K, pi1, eta, rho
+coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
+
+The twin does the operations of the C file in the same order, about a hundred times slower.
+"""
+
+NAME = 'bicycle_small_population'
+OPERATIONS = 876
+STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
+COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'output_bias')
+
+CONFIG = (
+    ('L', 'm', 'wheelbase', 1),
+    ('K_prior', 'm^2/s^2', 'prior of Caf L/m, front cornering stiffness per mass and length', 1),
+    ('pi1_prior', '-', 'prior of a/L, position of the centre of gravity', 1),
+    ('eta_prior', '-', 'prior of rear over front cornering coefficient; > 1 understeers', 1),
+    ('rho_prior', '-', 'prior of Iz/(m a b), yaw inertia ratio', 1),
+    ('P_prior', '-', "prior covariance of the unknowns' coordinates, upper triangle", 10),
+    ('prior_information', '-', '1/prior variance of ln K', 1),
+    ('K_low', 'm^2/s^2', 'lowest value the population allows', 1),
+    ('K_high', 'm^2/s^2', 'highest value the population allows', 1),
+    ('pi1_low', '-', 'lowest value the population allows', 1),
+    ('pi1_high', '-', 'highest value the population allows', 1),
+    ('eta_low', '-', 'lowest value the population allows', 1),
+    ('eta_high', '-', 'highest value the population allows', 1),
+    ('rho_low', '-', 'lowest value the population allows', 1),
+    ('rho_high', '-', 'highest value the population allows', 1),
+    ('output_bias_sd', 'rad/s', 'prior sd of the bias of r', 1),
+    ('v_star_sd', '-', 'sd after a restart', 1),
+    ('r_star_sd', '-', 'sd after a restart', 1),
+    ('noise_variance', '(rad/s)^2', 'white noise of r a sample', 1),
+    ('drift', '1/s', 'diffusion of ln K while it is observed', 1),
+    ('idle_drift', '1/s', 'diffusion of ln K while nothing is heard of it', 1),
+    ('jump_drift', '1/s', 'further diffusion per unit of surprise above its limit', 1),
+    ('bias_drift', '(rad/s)^2/s', 'random walk of the output bias', 1),
+    ('timing_error', 's', 'timing error between input and output', 1),
+    ('structure_share', '-', "structural error as a share of the output's activity", 1),
+    ('structure_time', 's', 'correlation time of the structural error', 1),
+    ('activity_rate', '1/s', "averaging rate of the output's activity", 1),
+    ('disturbance_floor', 'rad', 'disturbance at rest, equivalent input', 1),
+    ('disturbance_share', '-', 'disturbance as a share of the dimensionless activity', 1),
+    ('disturbance_rate', '1/s', '1/correlation time of the disturbance', 1),
+    ('disturbance_adapt', '1/s', "adaptation rate of the disturbance's size", 1),
+    ('disturbance_scale_start', '-', 'disturbance variance against nominal at the start', 1),
+    ('disturbance_scale_low', '-', 'least disturbance variance against nominal', 1),
+    ('disturbance_scale_high', '-', 'greatest disturbance variance against nominal', 1),
+    ('noise_adapt', '1/s', "adaptation rate of the noise's size in the long run", 1),
+    ('noise_scale_low', '-', 'least noise variance against nominal', 1),
+    ('noise_scale_high', '-', 'greatest noise variance against nominal', 1),
+    ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
+    ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
+    ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
+    ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
+    ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
+    ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
+    ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
+    ('outlier_ratio', '-', 'squared innovation over its variance beyond which it is bounded', 1),
+    ('gap', 's', 'longest time without a usable sample before a restart', 1),
+    ('input_limit', 'rad', 'greatest believable delta', 1),
+    ('output_limit', 'rad/s', 'greatest believable r', 1),
+    ('signal_limit', 'm/s', 'greatest believable scale', 1),
+    ('validity_limit', 'm/s^2', "edge of the model's linear range", 1),
+    ('validity_rate', '1/s', 'decay rate of the memory of a visit outside the linear range', 1),
+)
+
+STATE = (
+    ('v_star', '-', 'dimensionless state', 1),
+    ('r_star', '-', 'dimensionless state', 1),
+    ('disturbance', 'rad', 'disturbance as an equivalent delta', 1),
+    ('K', 'm^2/s^2', 'Caf L/m, front cornering stiffness per mass and length', 1),
+    ('pi1', '-', 'a/L, position of the centre of gravity', 1),
+    ('eta', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
+    ('rho', '-', 'Iz/(m a b), yaw inertia ratio', 1),
+    ('output_bias', 'rad/s', 'bias of r', 1),
+    ('P', '-', 'covariance of the coordinates above, upper triangle by rows', 36),
+    ('noise_scale', '-', 'noise variance against nominal', 1),
+    ('disturbance_scale', '-', 'disturbance variance against nominal', 1),
+    ('activity', '(rad/s)^2', 'mean square of the predicted output', 1),
+    ('settling', '1/s', "adaptation rate of the noise's size now, fast at first", 1),
+    ('restlessness', '-', 'long-run mean square of the surprise beyond one', 1),
+    ('jump', '-', 'surprise taken as a jump of the first unknown', 1),
+    ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
+    ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
+    ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
+    ('unlearnt', 's', 'time since the seldom learnt unknowns last learnt anything', 1),
+    ('validity', '(m/s^2)^2', 'recent peak of the validity signal, squared', 1),
+    ('information', '-', 'information gained about ln K', 1),
+    ('last_input', 'rad', 'input of the sample before', 1),
+    ('last_U', 'm/s', 'forward speed of the sample before', 1),
+    ('age', 's', 'time since the last usable sample', 1),
+    ('started', '-', '1 once a sample was used; 0 again while the scales hide the dynamics', 1),
+)
+
+SAMPLE = (
+    ('dt', 's', 'time since the sample before', 1),
+    ('input', 'rad', 'road-wheel steer angle', 1),
+    ('U', 'm/s', 'forward speed', 1),
+    ('measured', 'rad/s', 'measured yaw rate', 1),
+)
+
+OUTPUT = (
+    ('estimate', 'm^2/s^2', 'Caf L/m, front cornering stiffness per mass and length', 1),
+    ('variance', '-', 'variance of ln K', 1),
+    ('predicted', 'rad/s', 'yaw rate predicted before the measurement', 1),
+    ('innovation', 'rad/s', 'measured minus predicted; 0 without a measurement', 1),
+    ('innovation_variance', '(rad/s)^2', 'variance of the innovation', 1),
+    ('information_gained', '-', 'information gained about ln K so far', 1),
+)
+
+
+def init(config):
+    """The flat state before the first sample, from the flat configuration."""
+    K_prior = config[1]
+    pi1_prior = config[2]
+    eta_prior = config[3]
+    rho_prior = config[4]
+    P_prior_0 = config[5]
+    P_prior_1 = config[6]
+    P_prior_2 = config[7]
+    P_prior_3 = config[8]
+    P_prior_4 = config[9]
+    P_prior_5 = config[10]
+    P_prior_6 = config[11]
+    P_prior_7 = config[12]
+    P_prior_8 = config[13]
+    P_prior_9 = config[14]
+    output_bias_sd = config[24]
+    v_star_sd = config[25]
+    r_star_sd = config[26]
+    disturbance_floor = config[36]
+    disturbance_scale_start = config[40]
+    v_star = 0.0
+    r_star = 0.0
+    disturbance = 0.0
+    K = K_prior
+    pi1 = pi1_prior
+    eta = eta_prior
+    rho = rho_prior
+    output_bias = 0.0
+    P_0 = 0.0
+    P_1 = 0.0
+    P_2 = 0.0
+    P_3 = 0.0
+    P_4 = 0.0
+    P_5 = 0.0
+    P_6 = 0.0
+    P_7 = 0.0
+    P_8 = 0.0
+    P_9 = 0.0
+    P_10 = 0.0
+    P_11 = 0.0
+    P_12 = 0.0
+    P_13 = 0.0
+    P_14 = 0.0
+    P_15 = 0.0
+    P_16 = 0.0
+    P_17 = 0.0
+    P_18 = 0.0
+    P_19 = 0.0
+    P_20 = 0.0
+    P_21 = 0.0
+    P_22 = 0.0
+    P_23 = 0.0
+    P_24 = 0.0
+    P_25 = 0.0
+    P_26 = 0.0
+    P_27 = 0.0
+    P_28 = 0.0
+    P_29 = 0.0
+    P_30 = 0.0
+    P_31 = 0.0
+    P_32 = 0.0
+    P_33 = 0.0
+    P_34 = 0.0
+    P_35 = 0.0
+    P_0 = (v_star_sd*v_star_sd)
+    P_8 = (r_star_sd*r_star_sd)
+    P_35 = (output_bias_sd*output_bias_sd)
+    P_21 = P_prior_0
+    P_22 = P_prior_1
+    P_23 = P_prior_2
+    P_24 = P_prior_3
+    P_26 = P_prior_4
+    P_27 = P_prior_5
+    P_28 = P_prior_6
+    P_30 = P_prior_7
+    P_31 = P_prior_8
+    P_33 = P_prior_9
+    noise_scale = 1.0
+    surprise = 1.0
+    settling = 1.0
+    disturbance_scale = disturbance_scale_start
+    P_15 = disturbance_scale*(disturbance_floor*disturbance_floor)
+    restlessness = 0.0
+    jump = 0.0
+    activity = 0.0
+    excitation = 0.0
+    excited = 0.0
+    unlearnt = 0.0
+    validity = 0.0
+    information = 0.0
+    last_input = 0.0
+    age = 0.0
+    started = 0.0
+    last_U = 0.0
+    return [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+
+
+def step(config, state, sample):
+    """One sample on the flat state, changed in place; returns (status, flat output)."""
+    L = config[0]
+    K_prior = config[1]
+    prior_information = config[15]
+    K_low = config[16]
+    K_high = config[17]
+    pi1_low = config[18]
+    pi1_high = config[19]
+    eta_low = config[20]
+    eta_high = config[21]
+    rho_low = config[22]
+    rho_high = config[23]
+    v_star_sd = config[25]
+    r_star_sd = config[26]
+    noise_variance = config[27]
+    drift = config[28]
+    idle_drift = config[29]
+    jump_drift = config[30]
+    bias_drift = config[31]
+    timing_error = config[32]
+    structure_share = config[33]
+    structure_time = config[34]
+    activity_rate = config[35]
+    disturbance_floor = config[36]
+    disturbance_share = config[37]
+    disturbance_rate = config[38]
+    disturbance_adapt = config[39]
+    disturbance_scale_low = config[41]
+    disturbance_scale_high = config[42]
+    noise_adapt = config[43]
+    noise_scale_low = config[44]
+    noise_scale_high = config[45]
+    excitation_ratio = config[46]
+    excitation_rate = config[47]
+    seldom = config[48]
+    surprise_rate = config[49]
+    jump_ratio = config[50]
+    surprise_limit = config[51]
+    observed_least = config[52]
+    outlier_ratio = config[53]
+    gap = config[54]
+    input_limit = config[55]
+    output_limit = config[56]
+    signal_limit = config[57]
+    validity_limit = config[58]
+    validity_rate = config[59]
+    dt = sample[0]
+    input = sample[1]
+    U = sample[2]
+    measured = sample[3]
+    v_star = state[0]
+    r_star = state[1]
+    disturbance = state[2]
+    K = state[3]
+    pi1 = state[4]
+    eta = state[5]
+    rho = state[6]
+    output_bias = state[7]
+    P_0 = state[8]
+    P_1 = state[9]
+    P_2 = state[10]
+    P_3 = state[11]
+    P_4 = state[12]
+    P_5 = state[13]
+    P_6 = state[14]
+    P_7 = state[15]
+    P_8 = state[16]
+    P_9 = state[17]
+    P_10 = state[18]
+    P_11 = state[19]
+    P_12 = state[20]
+    P_13 = state[21]
+    P_14 = state[22]
+    P_15 = state[23]
+    P_16 = state[24]
+    P_17 = state[25]
+    P_18 = state[26]
+    P_19 = state[27]
+    P_20 = state[28]
+    P_21 = state[29]
+    P_22 = state[30]
+    P_23 = state[31]
+    P_24 = state[32]
+    P_25 = state[33]
+    P_26 = state[34]
+    P_27 = state[35]
+    P_28 = state[36]
+    P_29 = state[37]
+    P_30 = state[38]
+    P_31 = state[39]
+    P_32 = state[40]
+    P_33 = state[41]
+    P_34 = state[42]
+    P_35 = state[43]
+    noise_scale = state[44]
+    disturbance_scale = state[45]
+    activity = state[46]
+    settling = state[47]
+    restlessness = state[48]
+    jump = state[49]
+    surprise = state[50]
+    excitation = state[51]
+    excited = state[52]
+    unlearnt = state[53]
+    validity = state[54]
+    information = state[55]
+    last_input = state[56]
+    last_U = state[57]
+    age = state[58]
+    started = state[59]
+    U_now = 0.0
+    anew = 0.0
+    diffusion = 0.0
+    estimate = 0.0
+    information_gained = 0.0
+    innovation = 0.0
+    innovation_variance = 0.0
+    inv_spread = 0.0
+    move = 0.0
+    predicted = 0.0
+    status = 0.0
+    u_now = 0.0
+    usable = 0.0
+    variance = 0.0
+    status = 0.0
+    predicted = output_bias
+    innovation = 0.0
+    innovation_variance = noise_scale*noise_variance
+    if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
+        usable = 1.0
+        anew = 0.0  # 1 where the dynamic state starts anew
+        age = age + dt
+        if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
+            u_now = input
+        else:
+            u_now = last_input
+            usable = 0.0
+            status = 4.0
+        if (U < signal_limit) and (U > (-signal_limit)):  # a missing one is held
+            U_now = U
+        else:
+            U_now = last_U
+            usable = 0.0
+            status = 4.0
+        if not ((measured < output_limit) and (measured > (-output_limit))):  # no measurement
+            usable = 0.0
+            status = 4.0
+        if started < 0.5:  # no sample before it could be used
+            anew = 1.0
+            last_input = u_now
+            last_U = U_now
+        if (age > gap) and (usable > 0.5):  # the first sample after a gap
+            status = 5.0
+            anew = 1.0
+        if (10.0*(U_now*U_now) > K_prior) and (U_now > 0.0):  # the dynamics cannot be seen
+            pass
+        else:
+            anew = 1.0
+            started = 0.0
+            usable = 0.0
+            status = 6.0
+        if (age > gap) or (anew > 0.5):  # nothing was heard for long
+            excitation = 0.0
+            excited = 0.0
+            jump = 0.0
+            surprise = 1.0
+        if anew > 0.5:  # nothing is known of them
+            P_0 = 0.0
+            P_1 = 0.0
+            P_2 = 0.0
+            P_3 = 0.0
+            P_4 = 0.0
+            P_5 = 0.0
+            P_6 = 0.0
+            P_7 = 0.0
+            P_8 = 0.0
+            P_9 = 0.0
+            P_10 = 0.0
+            P_11 = 0.0
+            P_12 = 0.0
+            P_13 = 0.0
+            P_14 = 0.0
+            P_15 = 0.0
+            P_16 = 0.0
+            P_17 = 0.0
+            P_18 = 0.0
+            P_19 = 0.0
+            P_20 = 0.0
+            P_0 = (v_star_sd*v_star_sd)
+            P_8 = (r_star_sd*r_star_sd)
+            P_15 = disturbance_scale*(disturbance_floor*disturbance_floor)
+            v_star = 0.0
+            r_star = 0.0
+            disturbance = 0.0
+        least_scale = 0.0003333333333333333*signal_limit
+        at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
+        was_U = (last_U if (last_U) > (least_scale) else least_scale)
+        inv_U = (1.0/at_U)
+        inv_L = (1.0/L)
+        inv_dt = (1.0/dt)
+        output_scale = at_U*inv_L  # r = scale x dimensionless
+        inv_output_scale = L*inv_U
+        span = (dt if dt < gap else 0.0)  # [s] the dynamics start anew at the end of a gap
+        h = at_U*inv_L*span  # dimensionless time step
+        ratio_v_star = inv_U*was_U  # same physical state in the new scales
+        v_star = ratio_v_star*v_star
+        ratio_r_star = inv_U*was_U  # same physical state in the new scales
+        r_star = r_star*ratio_r_star
+        steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
+        u_plain = steer  # measured input alone [-]
+        u = disturbance + u_plain  # effective input [-]
+        inv0 = (1.0/rho)
+        inv1 = (1.0/(pi1 - 1.0))
+        c0 = (-r_star)
+        c1 = (inv_U*inv_U)
+        c2 = v_star + pi1*r_star
+        c3 = c2 - u
+        c4 = c1*c3
+        c5 = c0 + c2
+        c6 = c1*pi1
+        c7 = c6*eta
+        c8 = c7*inv1
+        c9 = c5*c8
+        c10 = K*(c9 - c4)
+        c11 = c1*inv0
+        c12 = c11*eta*inv1
+        c13 = K*(c1*c3*inv0*inv1 - c12*c5)
+        c14 = 0.3333333333333333*h
+        c15 = K*c14
+        c16 = c11*eta
+        c17 = c1*r_star
+        c18 = (inv1*inv1)
+        c19 = c18*c5
+        c20 = inv0*inv1
+        c21 = c17*c20
+        c22 = c5*eta
+        c23 = K*c1
+        c24 = c20*c23
+        c25 = (inv0*inv0)
+        f_v_star = c0 + c10  # rate [-]
+        f_r_star = c13  # rate [-]
+        J_00 = c15*(c8 - c1)
+        J_01 = c14*(K*(c7 - c6) - 1.0)
+        J_10 = c15*(c1*inv0*inv1 - c12)
+        J_11 = c15*(c1*inv0*inv1*pi1 - c16)
+        f_v_star_K = c10
+        f_r_star_K = c13
+        f_v_star_pi1 = K*(c1*c5*eta*inv1 + c1*eta*inv1*pi1*r_star - c17 - c19*c7)
+        f_r_star_pi1 = K*(c21 + c16*c19 - c21*eta - c18*c4*inv0)
+        f_v_star_eta = K*c9
+        f_r_star_eta = (-c22*c24)
+        f_v_star_rho = 0.0
+        f_r_star_rho = K*rho*(c1*c22*c25*inv1 - c25*c4*inv1)
+        f_v_star_u = c23
+        f_r_star_u = (-c24)
+        p0 = J_00*J_11 - J_01*J_10
+        p1 = (-J_00) - J_11
+        n0 = 1.0 - 1.5*p0
+        n1 = (-2.0) - 1.5*p1
+        i_det = (1.0/((n0*n0) + p0*(n1*n1) - n0*n1*p1))  # det N > 0 for every real J
+        i0 = i_det*(n0 - n1*p1)
+        i1 = (-i_det*n1)
+        m0 = i0 - i1*p0
+        m1 = i0 + i1 - i1*p1
+        M_00 = m0 + J_00*m1  # dx+/dx
+        M_01 = J_01*m1
+        M_10 = J_10*m1
+        M_11 = m0 + J_11*m1
+        g0 = h*i0 + 0.5*h*i1*p0
+        g1 = h*i1 + 0.5*h*i1*p1 - 0.5*h*i0
+        G_00 = g0 + J_00*g1  # change per rate
+        G_01 = J_01*g1
+        G_10 = J_10*g1
+        G_11 = g0 + J_11*g1
+        d_v_star = G_00*f_v_star + G_01*f_r_star  # change over the step [-]
+        d_r_star = G_10*f_v_star + G_11*f_r_star  # change over the step [-]
+        F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
+        F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
+        F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1
+        F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1
+        F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta
+        F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta
+        F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho
+        F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho
+        F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u
+        F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u
+        keep_w = (0.0 if (0.0) > (1.0 - disturbance_rate*dt) else 1.0 - disturbance_rate*dt)
+        w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale)  # nominal variance of the disturbance
+        move = 0.0
+        diffusion = drift
+        if excited < 0.5:  # nothing heard: it may have changed, and the population is the best guess
+            lost = (1.0 if (1.0) < (0.5*dt*idle_drift*prior_information) else 0.5*dt*idle_drift*prior_information)
+            keep = 1.0 - lost
+            diffusion = lost*(1.0 + keep)/(dt*prior_information)  # for long: the prior variance
+            P_3 = P_3*keep
+            P_10 = P_10*keep
+            P_16 = P_16*keep
+            P_21 = P_21*keep
+            P_22 = P_22*keep
+            P_23 = P_23*keep
+            P_24 = P_24*keep
+            P_25 = P_25*keep
+            P_21 = P_21*keep
+            p = K - K_prior
+            q = K + K_prior
+            pp = (p*p)
+            qq = (q*q)
+            away = 2.0*p*(15.0*qq - 4.0*pp)/(q*(15.0*qq - 9.0*pp))  # ln(K/K_prior)
+            move = (-away*lost)
+        F_v_star_v_star = M_00*ratio_v_star
+        F_v_star_r_star = M_01*ratio_r_star
+        F_r_star_v_star = M_10*ratio_v_star
+        F_r_star_r_star = M_11*ratio_r_star
+        PW_0 = P_2
+        FP_0_0 = (F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4) + (F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0)
+        FP_1_0 = (F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4) + (F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0)
+        PW_1 = P_9
+        FP_0_1 = (F_v_star_K*P_10 + F_v_star_eta*P_12 + F_v_star_pi1*P_11) + (F_v_star_r_star*P_8 + F_v_star_rho*P_13 + F_v_star_u*PW_1 + F_v_star_v_star*P_1)
+        FP_1_1 = (F_r_star_K*P_10 + F_r_star_eta*P_12 + F_r_star_pi1*P_11) + (F_r_star_r_star*P_8 + F_r_star_rho*P_13 + F_r_star_u*PW_1 + F_r_star_v_star*P_1)
+        PW_2 = P_15
+        FP_0_2 = (F_v_star_K*P_16 + F_v_star_eta*P_18 + F_v_star_pi1*P_17) + (F_v_star_r_star*P_9 + F_v_star_rho*P_19 + F_v_star_u*PW_2 + F_v_star_v_star*P_2)
+        FP_1_2 = (F_r_star_K*P_16 + F_r_star_eta*P_18 + F_r_star_pi1*P_17) + (F_r_star_r_star*P_9 + F_r_star_rho*P_19 + F_r_star_u*PW_2 + F_r_star_v_star*P_2)
+        PW_3 = P_16
+        FP_0_3 = (F_v_star_K*P_21 + F_v_star_eta*P_23 + F_v_star_pi1*P_22) + (F_v_star_r_star*P_10 + F_v_star_rho*P_24 + F_v_star_u*PW_3 + F_v_star_v_star*P_3)
+        FP_1_3 = (F_r_star_K*P_21 + F_r_star_eta*P_23 + F_r_star_pi1*P_22) + (F_r_star_r_star*P_10 + F_r_star_rho*P_24 + F_r_star_u*PW_3 + F_r_star_v_star*P_3)
+        PW_4 = P_17
+        FP_0_4 = (F_v_star_K*P_22 + F_v_star_eta*P_27 + F_v_star_pi1*P_26) + (F_v_star_r_star*P_11 + F_v_star_rho*P_28 + F_v_star_u*PW_4 + F_v_star_v_star*P_4)
+        FP_1_4 = (F_r_star_K*P_22 + F_r_star_eta*P_27 + F_r_star_pi1*P_26) + (F_r_star_r_star*P_11 + F_r_star_rho*P_28 + F_r_star_u*PW_4 + F_r_star_v_star*P_4)
+        PW_5 = P_18
+        FP_0_5 = (F_v_star_K*P_23 + F_v_star_eta*P_30 + F_v_star_pi1*P_27) + (F_v_star_r_star*P_12 + F_v_star_rho*P_31 + F_v_star_u*PW_5 + F_v_star_v_star*P_5)
+        FP_1_5 = (F_r_star_K*P_23 + F_r_star_eta*P_30 + F_r_star_pi1*P_27) + (F_r_star_r_star*P_12 + F_r_star_rho*P_31 + F_r_star_u*PW_5 + F_r_star_v_star*P_5)
+        PW_6 = P_19
+        FP_0_6 = (F_v_star_K*P_24 + F_v_star_eta*P_31 + F_v_star_pi1*P_28) + (F_v_star_r_star*P_13 + F_v_star_rho*P_33 + F_v_star_u*PW_6 + F_v_star_v_star*P_6)
+        FP_1_6 = (F_r_star_K*P_24 + F_r_star_eta*P_31 + F_r_star_pi1*P_28) + (F_r_star_r_star*P_13 + F_r_star_rho*P_33 + F_r_star_u*PW_6 + F_r_star_v_star*P_6)
+        PW_7 = P_20
+        FP_0_7 = (F_v_star_K*P_25 + F_v_star_eta*P_32 + F_v_star_pi1*P_29) + (F_v_star_r_star*P_14 + F_v_star_rho*P_34 + F_v_star_u*PW_7 + F_v_star_v_star*P_7)
+        FP_1_7 = (F_r_star_K*P_25 + F_r_star_eta*P_32 + F_r_star_pi1*P_29) + (F_r_star_r_star*P_14 + F_r_star_rho*P_34 + F_r_star_u*PW_7 + F_r_star_v_star*P_7)
+        WPF_0 = FP_0_2
+        P_0 = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0)
+        P_1 = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0)
+        P_2 = FP_0_2*keep_w
+        P_3 = FP_0_3
+        P_4 = FP_0_4
+        P_5 = FP_0_5
+        P_6 = FP_0_6
+        P_7 = FP_0_7
+        WPF_1 = FP_1_2
+        P_8 = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1)
+        P_9 = FP_1_2*keep_w
+        P_10 = FP_1_3
+        P_11 = FP_1_4
+        P_12 = FP_1_5
+        P_13 = FP_1_6
+        P_14 = FP_1_7
+        P_15 = P_15*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
+        P_16 = P_16*keep_w
+        P_17 = P_17*keep_w
+        P_18 = P_18*keep_w
+        P_19 = P_19*keep_w
+        P_20 = P_20*keep_w
+        P_21 = P_21 + dt*(diffusion + jump*jump_drift)
+        P_35 = P_35 + bias_drift*dt
+        disturbance = disturbance*keep_w
+        v_star = d_v_star + v_star
+        r_star = d_r_star + r_star
+        response = output_scale*r_star  # output of the model
+        predicted = output_bias + response
+        output_rate = d_r_star*inv_dt*output_scale
+        activity = activity + ((response*response) - activity)*(1.0 if (1.0) < (activity_rate*dt) else activity_rate*dt)
+        noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*(1.0 if (1.0) > (2.0*inv_dt*structure_time) else 2.0*inv_dt*structure_time))  # variance of the measurement
+        validity_now = inv_L*r_star*(at_U*at_U)  # lateral acceleration
+        validity_then = validity*(1.0 - (1.0 if (1.0) < (dt*validity_rate) else dt*validity_rate))
+        validity_square = (validity_now*validity_now)
+        validity = (validity_square if (validity_square) > (validity_then) else validity_then)
+        if usable > 0.5:  # measurement
+            c_0 = P_7 + P_1*output_scale
+            c_1 = P_14 + P_8*output_scale
+            c_2 = P_20 + P_9*output_scale
+            c_3 = P_25 + P_10*output_scale
+            c_4 = P_29 + P_11*output_scale
+            c_5 = P_32 + P_12*output_scale
+            c_6 = P_34 + P_13*output_scale
+            c_7 = P_35 + P_14*output_scale
+            innovation = measured - predicted
+            innovation_variance = c_7 + noise + c_1*output_scale
+            inv_spread = (1.0/innovation_variance)
+            nis = inv_spread*(innovation*innovation)  # normalised innovation squared
+            if nis > outlier_ratio:  # an outlier counts for less
+                inv_spread = inv_spread*outlier_ratio/nis
+            inv_P = (1.0/P_21)
+            sensitivity = c_3*inv_P  # of the output to ln K
+            excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
+            excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
+            surprise = surprise + ((9.0 if (9.0) < (nis) else nis) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
+            learn = excited*inv_spread
+            above = surprise - 1.0
+            restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
+            jump = (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)
+            learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
+            unlearnt = dt + unlearnt
+            learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
+            if learn_seldom > 0.0:
+                unlearnt = 0.0
+            gain_0 = c_0*inv_spread
+            gain_1 = c_1*inv_spread
+            gain_2 = c_2*inv_spread
+            gain_3 = c_3*learn
+            gain_4 = c_4*learn_seldom
+            gain_5 = c_5*learn_slow
+            gain_6 = c_6*learn_slow
+            gain_7 = c_7*inv_spread
+            gained = c_3*gain_3*inv_P  # share of the variance removed
+            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
+            P_0 = P_0 - c_0*gain_0
+            P_1 = P_1 - c_1*gain_0
+            P_2 = P_2 - c_2*gain_0
+            P_3 = P_3 - c_3*gain_0
+            P_4 = P_4 - c_4*gain_0
+            P_5 = P_5 - c_5*gain_0
+            P_6 = P_6 - c_6*gain_0
+            P_7 = P_7 - c_7*gain_0
+            P_8 = P_8 - c_1*gain_1
+            P_9 = P_9 - c_2*gain_1
+            P_10 = P_10 - c_3*gain_1
+            P_11 = P_11 - c_4*gain_1
+            P_12 = P_12 - c_5*gain_1
+            P_13 = P_13 - c_6*gain_1
+            P_14 = P_14 - c_7*gain_1
+            P_15 = P_15 - c_2*gain_2
+            P_16 = P_16 - c_3*gain_2
+            P_17 = P_17 - c_4*gain_2
+            P_18 = P_18 - c_5*gain_2
+            P_19 = P_19 - c_6*gain_2
+            P_20 = P_20 - c_7*gain_2
+            P_21 = P_21 - c_3*gain_3
+            P_22 = P_22 - c_4*gain_3
+            P_23 = P_23 - c_5*gain_3
+            P_24 = P_24 - c_6*gain_3
+            P_25 = P_25 - c_3*gain_7
+            P_26 = P_26 - c_4*gain_4
+            P_27 = P_27 - c_4*gain_5
+            P_28 = P_28 - c_4*gain_6
+            P_29 = P_29 - c_4*gain_7
+            P_30 = P_30 - c_5*gain_5
+            P_31 = P_31 - c_6*gain_5
+            P_32 = P_32 - c_5*gain_7
+            P_33 = P_33 - c_6*gain_6
+            P_34 = P_34 - c_6*gain_7
+            P_35 = P_35 - c_7*gain_7
+            v_star = v_star + gain_0*innovation
+            r_star = r_star + gain_1*innovation
+            disturbance = disturbance + gain_2*innovation
+            move = move + gain_3*innovation
+            pi1 = pi1 + gain_4*innovation
+            move_eta = gain_5*innovation
+            above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
+            bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
+            eta = eta*(1.0 + bounded_move_eta*(1.0 + bounded_move_eta*(0.5 + 0.16666666666666666*bounded_move_eta)))
+            move_rho = gain_6*innovation
+            above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
+            bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
+            rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
+            output_bias = output_bias + gain_7*innovation
+            settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
+            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(0.05 if (0.05) < (dt*settling) else dt*settling)
+            noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
+            noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
+            noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
+            expected = disturbance_scale*w_nominal  # disturbance variance expected
+            seen = (9.0*expected if (9.0*expected) < (P_15 + (disturbance*disturbance)) else P_15 + (disturbance*disturbance))  # and seen
+            unseen = (expected*observed_least if (expected*observed_least) > (expected - P_15) else expected - P_15)
+            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*(1.0 if (1.0) < (disturbance_adapt*dt) else disturbance_adapt*dt)/unseen
+            disturbance_scale = (disturbance_scale if (disturbance_scale) > (disturbance_scale_low) else disturbance_scale_low)
+            disturbance_scale = (disturbance_scale if (disturbance_scale) < (disturbance_scale_high) else disturbance_scale_high)
+            if (excited < 0.5) and (status < 0.5):
+                status = 1.0
+            if (status < 1.5) and (validity > (validity_limit*validity_limit)):
+                status = 2.0
+        above_move = ((-1.0) if ((-1.0)) > (move) else move)
+        bounded_move = (1.0 if (1.0) < (above_move) else above_move)
+        K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
+        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
+            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
+            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
+            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
+            if usable > 0.5:
+                status = 3.0
+        last_input = u_now
+        last_U = U_now
+        if usable > 0.5:
+            age = 0.0
+            started = 1.0
+    else:
+        status = 7.0
+        age = (1000000.0 if dt > 1.0 else age)  # an endless pause is a gap for the next sample
+    estimate = K
+    variance = P_21
+    information_gained = information
+    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

@@ -1,0 +1,49 @@
+"""Our own entrants: no look into the future, the product's own numbers, all six."""
+
+import numpy as np
+import pytest
+
+from similitude.benchmark.ladder_entrants import ladder, prepared
+from similitude.benchmark.scoring import unfit
+
+from .linear_drive import linear_drive
+
+BY_NAME = {one.name: one for one in ladder()}
+
+
+def test_the_ladder_has_its_six_rungs():
+    assert list(BY_NAME) == ["paper", "band", "output_error", "robust", "population", "batch"]
+    assert [name for name, one in BY_NAME.items() if one.whole_log] == ["batch"]
+
+
+@pytest.mark.parametrize("name", [name for name in BY_NAME if name != "batch"])
+def test_an_estimate_does_not_know_what_comes(name):
+    """Cut at 40 s, everything before is the same number."""
+    drive, _ = linear_drive()
+    whole, part = (BY_NAME[name].estimate(one) for one in (drive, drive.until(40.0)))
+    n = drive.until(40.0).t.size
+
+    assert np.array_equal(np.broadcast_to(whole.K, drive.t.size)[:n], np.broadcast_to(part.K, n))
+    assert [a for a in whole.alarms if a < 40.0] == list(part.alarms)
+
+
+@pytest.mark.parametrize("name", BY_NAME)
+def test_every_answer_is_one_number_a_row(name):
+    drive, _ = linear_drive()
+    answer = BY_NAME[name].estimate(drive)
+
+    assert unfit(answer, drive.t.size) == ""
+    assert name == "batch" or answer.operations > 50
+
+
+def test_the_population_entrant_is_the_products_pass():
+    drive, _ = linear_drive()
+    done = prepared(drive).setup.run()
+
+    assert np.array_equal(BY_NAME["population"].estimate(drive).K, done.output("estimate"))
+
+
+def test_the_change_is_alarmed_once_and_soon():
+    alarms = BY_NAME["population"].estimate(linear_drive()[0]).alarms
+
+    assert len(alarms) == 1 and 50.0 < alarms[0] < 52.0
