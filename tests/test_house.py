@@ -30,7 +30,7 @@ FLOW = (
     "log_following log_sensors log_speed log_response log_fixes",
     "log_survey log",
     "populations",
-    "vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
+    "accelerometer vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
     "monitor_config change_alarm information_meter time_scales saved_state drive_memory",

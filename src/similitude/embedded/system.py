@@ -20,6 +20,7 @@ from similitude.program.library import GENERATED, Library
 SHIPPED = {
     "bicycle": ("population", "small_population", "monitor", "paper", "band", "output_error", "robust"),
     "saturating_bicycle": ("population",),
+    "bicycle_with_accelerometer": ("population",),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {

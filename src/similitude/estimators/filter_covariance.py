@@ -330,6 +330,7 @@ def _move(unknown: Unknown, by: str) -> list[Statement]:
 
 
 def move_log(name: str, by: str) -> list[Statement]:
+    """Move a positive state by so much of its logarithm, at most one at a time."""
     bounded = S(f"bounded_{by}")
     return [
         Assign(f"above_{by}", sp.Max(S(by), -1)),
