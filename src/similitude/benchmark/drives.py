@@ -30,6 +30,7 @@ K_RATIO, LN_K_RATIO_SD = 1.0977, 0.12  # pi4/pi3
 PI5, LN_PI5_SD = 0.251, 0.08
 LEAST_ETA = 1.05
 MASS = 1500.0  # kg; it cancels, but for the weight of a gust
+BEHIND, BEHIND_SD = 1.20, 0.05  # m: what the file says of the accelerometer's place
 GROUPS = ("pi1", "eta", "rho")
 BASE = "slalom"  # the shipped scenario whose every section is replaced
 
@@ -42,13 +43,15 @@ class Drive:
     ----------
     t : (n,)           time [s], 100 Hz
     delta, r, U : (n,) road-wheel angle [rad], yaw rate [rad/s], speed [m/s]; NaN where a sample is lost
-    vehicle : Vehicle  wheelbase, population, and the gyro's noise per sample [rad/s]
+    ay : (n,)          lateral acceleration felt at the accelerometer [m/s^2]
+    vehicle : Vehicle  wheelbase, population, the gyro's noise per sample [rad/s], the accelerometer's place
     """
 
     t: Array
     delta: Array
     r: Array
     U: Array
+    ay: Array
     vehicle: Vehicle
 
     @property
@@ -64,7 +67,7 @@ class Drive:
     def until(self, t: float) -> Drive:
         """Return the part before a time [s]."""
         rows = self.t < t
-        return Drive(self.t[rows], self.delta[rows], self.r[rows], self.U[rows], self.vehicle)
+        return Drive(*(x[rows] for x in (self.t, self.delta, self.r, self.U, self.ay)), self.vehicle)
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,7 +113,7 @@ def columns(one: Recording) -> dict[str, Array]:
     """Return what the benchmark reads of a recording: arrays (n,) in SI by a short name."""
     log, truth = one.log, one.truth
     found = {"t": log["t [s]"], "delta": log["delta [rad]"], "r": log["r [rad/s]"], "U": log["U [m/s]"]}
-    found |= {"K": truth["K [m^2/s^2]"], "acting": truth["delta [rad]"]}
+    found |= {"ay": log["ay [m/s^2]"], "K": truth["K [m^2/s^2]"], "acting": truth["delta [rad]"]}
     return found | {name: truth[f"{name} [-]"] for name in GROUPS}
 
 
@@ -146,8 +149,9 @@ def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
         "benchmark",
         L=Uncertain(L, None, parse_unit("m")),
         yaw_rate_noise=Uncertain(NOISE, None, parse_unit("rad/s")),
-        origins={"L": "vehicle file", "yaw_rate_noise": "vehicle file"},
+        accelerometer=Uncertain(BEHIND, BEHIND_SD, parse_unit("m")),
+        origins=dict.fromkeys(("L", "yaw_rate_noise", "accelerometer"), "vehicle file"),
     )
-    drive = Drive(one["t"], one["delta"], one["r"], one["U"], vehicle)
+    drive = Drive(one["t"], one["delta"], one["r"], one["U"], one["ay"], vehicle)
     groups = {name: float(one[name][0]) for name in GROUPS}
     return drive, Truth(one["K"], one["acting"], groups)
