@@ -30,6 +30,7 @@ K_RATIO, LN_K_RATIO_SD = 1.0977, 0.12  # pi4/pi3
 PI5, LN_PI5_SD = 0.251, 0.08
 LEAST_ETA = 1.05
 MASS = 1500.0  # kg; it cancels, but for the weight of a gust
+AY_NOISE = 0.1  # m/s^2, that of its accelerometer
 BEHIND, BEHIND_SD = 1.20, 0.05  # m: what the file says of the accelerometer's place
 GROUPS = ("pi1", "eta", "rho")
 BASE = "slalom"  # the shipped scenario whose every section is replaced

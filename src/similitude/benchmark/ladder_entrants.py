@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.accelerometer import find_accelerometer
-from similitude.benchmark.drives import Drive
+from similitude.accelerometer import Accelerometer
+from similitude.benchmark.drives import AY_NOISE, Drive
 from similitude.benchmark.entrant import Answer, Entrant
 from similitude.change_alarm import watch
 from similitude.estimators import paper_design
@@ -73,8 +73,8 @@ def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
     ready = prepared(drive)
     setup = ready.setup
     if accelerometer:
-        found, _ = find_accelerometer(setup.log, drive.vehicle)
-        setup = setup.with_accelerometer(found) if found else setup
+        place = drive.vehicle.accelerometer
+        setup = setup.with_accelerometer(Accelerometer(place.value, place.sd, AY_NOISE))
     lags = [SCAN.chosen, SCAN.chosen + SCAN.std, SCAN.chosen - SCAN.std]
     done, later, earlier = side_by_side([setup.with_lag(lag, MEASURED_STEER_SD).run for lag in lags])
     spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2
