@@ -97,7 +97,7 @@ def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
         return [_foreign(cell, one) for one in seeds]
     cars = draw(seeds, cell.car)
     recordings = run_scenario(scenario(cell), seeds, car=cars)
-    return [_told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
+    return [told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
 
 
 def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
@@ -107,7 +107,7 @@ def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
         {"scenario": cell.changes, "vehicle": vehicle, "seed": seed},
         lambda: columns(run_scenario(scenario(cell, vehicle), [seed])[0]),
     )
-    return _told(made, foreign_car(PLANTS[cell.plant]["model"], vehicle).L)
+    return told(made, foreign_car(PLANTS[cell.plant]["model"], vehicle).L)
 
 
 def columns(one: Recording) -> dict[str, Array]:
@@ -145,7 +145,8 @@ def scenario(cell: Cell, foreign: str = "") -> Scenario:
     return read_scenario(BASE, changes=changes)
 
 
-def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+def told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+    """Return what an estimator is told of the columns of a drive, and the truth; L the wheelbase [m]."""
     vehicle = Vehicle(
         "benchmark",
         L=Uncertain(L, None, parse_unit("m")),
