@@ -48,7 +48,7 @@ def test_lines_from_row_to_row_are_as_high_as_the_wave_they_follow(step):
     """sinc^2 of the lines: (w h)^2/12 too low without; with, 1 + (1 - cos w h)/6 leaves (w h)^4/90."""
     rows = np.arange(4000)
     means = np.sinc(step / 2 / np.pi) * np.sin(step * rows)
-    fine = np.arange(0, rows[-1], 0.05)
+    fine = np.arange(0, rows[-1], 0.01)
     wave = np.sin(step * fine)
 
     def height(nodes):
