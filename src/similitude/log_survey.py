@@ -108,7 +108,7 @@ def survey(
     columns: dict[str, Column] = {}
     values: dict[str, np.ndarray] = {}
     try:
-        table = open_table(path)
+        table = open_table(path, as_meant=True)
     except LogError as error:
         return Survey(path.stem, path, headers, columns, values, {}, (refusal(error),))
     findings += table.findings
