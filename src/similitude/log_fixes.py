@@ -241,6 +241,8 @@ FIXES = {
     "steer_is_rad": Fix("read the steer in rad", "delta", _reads("delta", "rad")),
     "speed_is_kmh": Fix("read the speed in km/h", "U", _reads("U", "km/h")),
     "speed_is_m_per_s": Fix("read the speed in m/s", "U", _reads("U", "m/s")),
+    "speed_is_mph": Fix("read the speed in mph", "U", _reads("U", "mph")),
+    "speed_is_knots": Fix("read the speed in knots", "U", _reads("U", "kn")),
     "flip_steer_sign": Fix("turn the sign of the steer round", "delta", _turned("delta")),
     "flip_yaw_rate_sign": Fix("turn the sign of the yaw rate round", "r", _turned("r")),
     "flip_speed_sign": Fix("turn the sign of the speed round", "U", _turned("U")),
