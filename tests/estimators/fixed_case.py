@@ -28,6 +28,7 @@ def rows_of_a_drive(n, *, noise=0.0, seed=0):
     """Rows (n, 4) of a weave with a changing speed."""
     t = STEP * np.arange(n)
     steer = 0.03 * np.sin(2 * np.pi * 0.5 * t) + 0.01 * np.sin(2 * np.pi * 1.7 * t)
+    steer += 0.01 * np.sin(2 * np.pi * 5 * t)
     speed = 20 + 5 * np.sin(2 * np.pi * t / 25)
     r = _yaw_rate(steer, speed) + noise * np.random.default_rng(seed).standard_normal(n)
     return np.column_stack([np.full(n, STEP), steer, speed, r])

@@ -11,6 +11,8 @@ from similitude.estimators.fixed_ranges import (
     nearest_forgetting,
     paper_ranges,
 )
+from similitude.estimators.paper_sums import paper_sums
+from similitude.systems.bicycle import bicycle_reduction
 
 
 def sections():
@@ -45,7 +47,7 @@ def test_forgetting_becomes_a_shift(wanted, k):
 def test_the_regressor_is_bounded_by_how_fast_a_car_steers_and_turns():
     _, named = paper_named()
     _, faster = paper_named()
-    stated = paper_ranges(named, NAMES).stated
+    stated = paper_ranges(paper_sums(bicycle_reduction()), named, NAMES).stated
 
     assert stated["psi"][1] == pytest.approx(named["psi_limit"], rel=1e-3)
     assert 0 < named["psi_limit"] < 0.1

@@ -20,8 +20,16 @@ from numpy.typing import NDArray
 from similitude.embedded.configuration import Numbers, find_numbers, reference_car
 from similitude.embedded.system import Source, find_reduction, find_source
 from similitude.errors import UsageError
+from similitude.estimators.band import band_regression
 from similitude.estimators.filter_fields import Layout
-from similitude.estimators.fixed_ranges import DERIVED, Names, paper_derived, paper_ranges
+from similitude.estimators.fixed_ranges import (
+    DERIVED,
+    Names,
+    band_derived,
+    band_ranges,
+    paper_derived,
+    paper_ranges,
+)
 from similitude.estimators.ladder_design import LIMIT_SD, ROOM, SLOW_PI3
 from similitude.estimators.paper_sums import paper_sums
 from similitude.program.c import print_c
@@ -34,7 +42,7 @@ from similitude.program.python import print_python
 from similitude.vehicle_file import read_vehicle
 from similitude.vehicle_prior import vehicle_prior
 
-FIXED = ("paper",)
+FIXED = ("paper", "band")
 READ = 'docs/embedded.md, "Fixed point"'
 
 
@@ -87,7 +95,7 @@ def fixed_profile(
     k = round(-math.log2(1 - named["forgetting"]))
     kept = (named["forgetting"], "-", f"1 - 2^-{k}, nearest to the {told['forgetting']:.9g} stated")
     numbers = replace(numbers, assumed={**numbers.assumed, "forgetting": kept})
-    return made_profile(program, plain, named, RANGES[estimator](named, names), numbers)
+    return made_profile(program, plain, named, RANGES[estimator](program, named, names), numbers)
 
 
 def made_profile(
@@ -103,12 +111,14 @@ def made_profile(
 
 
 def _program(estimator: str, reduction: Any) -> Program:
-    return {"paper": paper_sums}[estimator](reduction)
+    """The step that is lowered: of the ladder the one that reals have, of the paper the one in sums."""
+    made = {"paper": paper_sums, "band": band_regression}[estimator](reduction)
+    return made if made.name.endswith("_fixed") else replace(made, name=f"{made.name}_fixed")
 
 
-DERIVE = {"paper": paper_derived}
-RANGES = {"paper": paper_ranges}
-OPEN = {"paper": DERIVED}  # numbers that follow from the others
+DERIVE = {"paper": paper_derived, "band": band_derived}
+RANGES = {"paper": paper_ranges, "band": band_ranges}
+OPEN = {"paper": DERIVED, "band": ()}  # numbers that follow from the others
 
 
 def _users(

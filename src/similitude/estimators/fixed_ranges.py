@@ -17,7 +17,8 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from similitude.program.fixed.bounds import MARGIN, Ranges, Span, span
+from similitude.program.fixed.bounds import MARGIN, Ranges, Span, span, walked
+from similitude.program.fixed.lower import settled
 from similitude.program.ir import Assign, Program, walk
 
 LONGEST = 60.0  # s between two samples that are told apart; a longer time goes in as this
@@ -145,7 +146,7 @@ def paper_derived(program: Program, numbers: Mapping[str, float], names: Names) 
 DERIVED = ("psi_limit", "updates_most", "normal_start")
 
 
-def paper_ranges(numbers: Mapping[str, float], names: Names) -> Ranges:
+def paper_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
     """Ranges of ``paper_fixed``."""
     limit, updates = numbers[f"{names.target}_limit"], numbers["updates_most"]
     psi = MARGIN * numbers["psi_limit"]
@@ -162,3 +163,60 @@ def paper_ranges(numbers: Mapping[str, float], names: Names) -> Ranges:
     }
     wide = frozenset({"normal", "cross", "mean_square", "rest_square", "spread"})
     return Ranges(stated, wide, frozenset({"fresh", "updates", "span"}))
+
+
+BAND_WIDE = (
+    "Q A excitation mean_square block_score block_weight scatter_sum scatter_weight information".split()
+)
+INFORMATION = 2.0**20  # where the sum of it saturates: an sd of a thousandth
+TOLD = 2.0**10  # by one sample, which no sample does: an sd of 3 %
+
+
+def band_derived(program: Program, numbers: Mapping[str, float], names: Names) -> dict[str, float]:
+    """All numbers of ``band`` in fixed point: forgetting by a shift."""
+    return {**numbers, "forgetting": nearest_forgetting(numbers["forgetting"])[0]}
+
+
+def band_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
+    """Ranges of ``band``: a block holds so many of the greatest squares, the scatter so many blocks."""
+    target, limit = names.target, numbers["variance_limit"]
+    edge = K_EDGE * numbers[f"{target}_high"]
+    stated = {
+        **sample_ranges(numbers, names.speed),
+        **filter_ranges(numbers),
+        target: (-edge, edge),
+        "log_variance": (0.0, limit),
+        "aged": (0.0, limit),
+        "blocks": (-1.0, numbers["blocks_most"]),
+        "block_age": (0.0, numbers["block"] + numbers["dt_high"]),
+        "spread": (0.0, numbers["output_jump"] ** 2),
+        "innovation_variance": (0.0, numbers["output_jump"] ** 2),
+        "information": (0.0, INFORMATION),
+        "told": (0.0, TOLD),
+        **dict.fromkeys(("block_score", "block_weight", "scatter_sum", "scatter_weight"), (0.0, 1.0)),
+    }
+    return Ranges(
+        {**stated, **_blocks(program, numbers, stated)},
+        frozenset(BAND_WIDE),
+        frozenset({"fresh", "blocks"}),
+    )
+
+
+K_EDGE = 2.0  # times the greatest K: what a ratio may say before it is held at the population's edge
+
+
+def _blocks(program: Program, numbers: Mapping[str, float], stated: Mapping[str, Span]) -> dict[str, Span]:
+    constants, _ = settled(program, numbers)
+    found = walked(program, {n: float(v) for n, v in constants.items()}, Ranges(stated))
+    samples = numbers["block"] / numbers["dt_low"] + 1
+    psi = max(map(abs, found["psi"]))
+    weight, kept = MARGIN * samples * psi**2, MARGIN / (1 - numbers["block_keep"])
+    score = (
+        MARGIN * numbers["output_jump"] * math.sqrt(weight)
+    )  # residuals no larger than a believable change
+    return {
+        "block_score": (-score, score),
+        "block_weight": (0.0, weight),
+        "scatter_sum": (0.0, kept * score**2),
+        "scatter_weight": (0.0, kept * weight),
+    }

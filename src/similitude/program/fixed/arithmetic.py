@@ -97,6 +97,8 @@ def times(a: Value, b: Value) -> Value:
         a, b = b, a
     if a.node.is_narrow and b.node.is_narrow:
         return Scaled(it.mul(a.node, b.node), a.fraction + b.fraction)
+    if a.node.bits + b.node.bits <= 62:
+        return Scaled(it.mulx(a.node, b.node), a.fraction + b.fraction)
     if b.node.is_narrow:
         return Scaled(it.mulw(a.node, b.node), a.fraction + b.fraction - 32)
     return Scaled(it.mulh(a.node, b.node), a.fraction + b.fraction - 64)

@@ -44,11 +44,8 @@ def bounds(program: Program, constants: Mapping[str, float], ranges: Ranges) -> 
     ------
     ProgramError    a state has no bound: it is neither stated nor a sum with forgetting.
     """
-    found: dict[str, Span] = dict(ranges.stated)
-    for _ in range(ROUNDS):
-        before, way = found, _Walk(ranges.stated)
-        way.body(program.step, {**found, **{n: (v, v) for n, v in constants.items()}})
-        found = {**way.seen, **ranges.stated}
+    before = walked(program, constants, ranges)
+    found = walked(program, constants, ranges, before)
     states = [s.name for f in program.state for s in f.symbols if s.name not in constants]
     loose = [n for n in states if not _settled(found.get(n), before.get(n))]
     if loose:
@@ -58,6 +55,18 @@ def bounds(program: Program, constants: Mapping[str, float], ranges: Ranges) -> 
             paste=f"Ranges(stated={{{loose[0]!r}: (-1.0, 1.0)}})",
             read="docs/embedded.md, 'Fixed point'",
         )
+    return found
+
+
+def walked(
+    program: Program, constants: Mapping[str, float], ranges: Ranges, found: Mapping[str, Span] | None = None
+) -> dict[str, Span]:
+    """Spans of every variable after some rounds through the step, whether they have settled or not."""
+    found = dict(ranges.stated if found is None else found)
+    for _ in range(ROUNDS):
+        way = _Walk(ranges.stated)
+        way.body(program.step, {**found, **{n: (v, v) for n, v in constants.items()}})
+        found = {**way.seen, **ranges.stated}
     return found
 
 

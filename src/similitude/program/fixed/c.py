@@ -277,6 +277,9 @@ def _text(node: it.Int, name: str) -> tuple[str, bool]:
     if kind == "mul":
         a, b = _narrow(args[0], name), _narrow(args[1], name)
         return (f"({a} * {b})", False) if node.is_narrow else (f"((int64_t){a} * {b})", True)
+    if kind == "mulx":
+        (a, a_wide), (b, b_wide) = _text(args[0], name), _text(args[1], name)
+        return f"({_wide(a, a_wide)} * {_wide(b, b_wide)})", True
     if kind in ("shl", "shr", "neg"):
         return _unary(node, name)
     if kind == "choose":

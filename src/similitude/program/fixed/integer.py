@@ -3,6 +3,7 @@
     shr(x, n)      x/2^n to the nearest, halves up
     shl(x, n)      x 2^n
     mul(a, b)      two values of 32 bits, exact
+    mulx(a, b)     a of 64 bits and b so few that both fit 62: exact
     mulw(a, b)     a of 64, b of 32 bits: (a b) >> 32
     mulh(a, b)     both of 64 bits: about (a b) >> 64
     clamp(x, l, h) the nearest in l..h
@@ -90,6 +91,11 @@ def mul(a: Int, b: Int) -> Int:
     """The exact product of two values of 32 bits."""
     assert a.is_narrow and b.is_narrow
     return _made("mul", (a, b), *_corners(a, b))
+
+
+def mulx(a: Int, b: Int) -> Int:
+    """The exact product of a wide and a small value."""
+    return _made("mulx", (a, b), *_corners(a, b))
 
 
 def mulw(a: Int, b: Int) -> Int:

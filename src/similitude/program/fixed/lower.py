@@ -15,7 +15,7 @@ from fractions import Fraction
 import sympy as sp
 
 from similitude.program.fixed import integer as it
-from similitude.program.fixed.arithmetic import Scaled, Value, fit, narrowed
+from similitude.program.fixed.arithmetic import Value, fit, narrowed
 from similitude.program.fixed.bounds import Ranges, bounds, read_names
 from similitude.program.fixed.expressions import Expressions
 from similitude.program.fixed.formats import Format, format_of, sample_format
@@ -94,8 +94,7 @@ def lower(program: Program, numbers: Mapping[str, float], ranges: Ranges) -> Fix
     ProgramError    a variable has no bound, or a product does not fit 62 bits.
     """
     program = without_unread(program)
-    constants = {name: Fraction(value) for name, value in numbers.items()}
-    start = _started(program, constants)
+    constants, start = settled(program, numbers)
     found = bounds(program, {n: float(v) for n, v in constants.items()}, ranges)
     formats = _formats(program, found, ranges, constants)
     body = _Body(program, constants, formats, ranges)
@@ -122,8 +121,16 @@ def _held(fields: Iterable[Field], formats: Mapping[str, Format], constants: Map
                 yield Held(s.name, f.unit, f.meaning, formats[s.name])
 
 
-def _started(program: Program, constants: dict[str, Fraction]) -> dict[str, Fraction]:
-    """Values of the state before the first sample; what the step never changes joins the constants."""
+def settled(
+    program: Program, numbers: Mapping[str, float]
+) -> tuple[dict[str, Fraction], dict[str, Fraction]]:
+    """What never changes (the configuration, and states that the step leaves alone), and where states start.
+
+    Parameters
+    ----------
+    program, numbers : as of `lower`.
+    """
+    constants = {name: Fraction(value) for name, value in numbers.items()}
     here = dict(constants)
     plain = Expressions(here, {}, {}, {})
     for s in program.init:
@@ -132,7 +139,7 @@ def _started(program: Program, constants: dict[str, Fraction]) -> dict[str, Frac
     states = {s.name for f in program.state for s in f.symbols}
     written = {s.target for s in walk(program.step) if isinstance(s, Assign)}
     constants.update({name: here[name] for name in states - written})
-    return {name: here[name] for name in states}
+    return constants, {name: here[name] for name in states}
 
 
 def _formats(
@@ -221,4 +228,4 @@ class _Body:
         return [*self._temporaries(expressions), Put(s.target, node, new, s.comment)]
 
 
-__all__ = ["FixedProgram", "Held", "If", "Put", "Scaled", "lower"]
+__all__ = ["FixedProgram", "Held", "If", "Put", "lower", "settled"]

@@ -134,8 +134,8 @@ def _text(node: it.Int) -> str:
         return args[0]
     if kind == "neg":
         return f"(-{_text(args[0])})"
-    if kind in ("add", "sub", "mul"):
-        sign = {"add": "+", "sub": "-", "mul": "*"}[kind]
+    if kind in ("add", "sub", "mul", "mulx"):
+        sign = {"add": "+", "sub": "-"}.get(kind, "*")
         return f"({_text(args[0])} {sign} {_text(args[1])})"
     if kind == "shl":
         return f"({_text(args[0])} << {args[1]})"
