@@ -4,8 +4,8 @@
     K = (L/m) Σ F a/Σ a²        over all rows with the same road
 
 A multi-body car's axle is no straight line: the tyres of commonroad-vehicle-models shift their force with the
-sign of their camber, so the axle acts up to a quarter stiffer than the slope of its tyres at small slip, and the
-more so the less it slips. What a drive can show is the line nearest to what the axle did.
+sign of their camber, so in ordinary driving the axle acts a quarter stiffer than the slope of its tyres, and more
+so the less it slips. What a drive can show is the line nearest to what the axle did.
 """
 
 from __future__ import annotations
