@@ -3,9 +3,9 @@
     F = (m ay b + Iz r')/L      force of the front axle       a = delta - atan((v + a r)/U)    its slip angle
     K = (L/m) Σ F a/Σ a²        over all rows with the same road
 
-A multi-body car's axle is no straight line: the tyres of commonroad-vehicle-models shift their force with the
-sign of their camber, so in ordinary driving the axle acts a quarter stiffer than the slope of its tyres, and more
-so the less it slips. What a drive can show is the line nearest to what the axle did.
+A multi-body car's axle is no straight line: the tyres of commonroad-vehicle-models shift their force with
+the sign of their camber, so in ordinary driving the axle acts a quarter stiffer than the slope of its tyres,
+and more so the less it slips. What a drive can show is the line nearest to what the axle did.
 """
 
 from __future__ import annotations
