@@ -338,8 +338,9 @@ CERTAIN_AY = 0.54, 1.88  # so that 3.6 is certain, and a sensor far off the cent
 
 def _judge_acceleration(relation: Relation, columns: Mapping[str, Column], file: str) -> list[Finding]:
     header = columns["ay"].header
-    if not relation.is_alike(ALIKE_AY):
-        return []
+    beyond_chance = relation.is_alike(ALIKE_AY)
+    if not beyond_chance and not relation.same >= max(MIRRORED, relation.opposite):
+        return []  # a slalom's sine may be alike by chance, and is still compared in size
     if relation.opposite > relation.same:
         return [Finding(
             "ay_sign", False,
@@ -353,7 +354,7 @@ def _judge_acceleration(relation: Relation, columns: Mapping[str, Column], file:
     guess, paste, fix = _explain_ay(1 / relation.slope, columns)
     certain = relation.high < CERTAIN_AY[0] or relation.low > CERTAIN_AY[1]
     return [Finding(
-        "ay_against_yaw", bool(certain) and fix is not None,
+        "ay_against_yaw", beyond_chance and bool(certain) and fix is not None,
         f"column {shown(header)} of {file} is {relation.slope:.3g} times U r; {LEAST_AY:g} to {MOST_AY:g} "
         "is what a car has", guess, paste, READ, column=header, value=relation.slope, fix=fix,
     )]  # fmt: skip
