@@ -27,6 +27,7 @@ from .test_real_faults import real
 
 pytestmark = pytest.mark.slow
 DEG = 180 / np.pi
+MPH, KNOT = 0.44704, 1.852 / 3.6  # m/s
 SDS = 3.0
 CLOSE = 0.1  # sd: the filter's own steps differ a little when rows are missing
 
@@ -87,6 +88,8 @@ CASES = {
     "steer_is_rad": Case(bad.scaled("delta", 1 / DEG), {"delta": ("deg", 1 / DEG)}, True),
     "speed_is_kmh": Case(bad.scaled("U", 3.6), {}, True, offered=False),
     "speed_is_m_per_s": Case(bad.scaled("U", 1 / 3.6), {"U": ("km/h", 1 / 3.6)}, True, offered=False),
+    "speed_is_mph": Case(bad.scaled("U", 1 / MPH), {}, True, offered=False),
+    "speed_is_knots": Case(bad.scaled("U", 1 / KNOT), {}, True, offered=False),
     "flip_steer_sign": Case(bad.scaled("delta", -1), {}, True),
     "flip_speed_sign": Case(bad.scaled("U", -1), {}, True),
     "drop_fill_values": Case(_fill, {}, False),
@@ -97,7 +100,9 @@ CASES = {
     "hold_slow_columns": Case(_slower_steer, {}, False),
 }
 # The sign is one fault with two repairs, of which the message offers the likelier; text stands in CSV only.
-ELSEWHERE = {"flip_yaw_rate_sign", "blank_text"}
+# An overflow and a dead band strike values by their size, not by chance, and noise hides some: their round
+# trips stand in tests/signal_faults.
+ELSEWHERE = {"flip_yaw_rate_sign", "blank_text", "unwrap_overflow", "drop_dead_band"}
 
 
 def _bus(seed):

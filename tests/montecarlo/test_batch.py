@@ -39,17 +39,20 @@ def fits(cars, lag):
         yield fit_batch(frozen, frozen.coordinates(joint.mean), np.log([1.0, 0.02]))
 
 
-def coverage(cars, lag):
+def coverage(fleets, lag):
     """Share of cars whose interval holds the truth; median error of ln K."""
-    found = list(fits(cars, lag))
-    error = np.array([fit.x[0] for fit in found]) - np.log(cars.K[:, 0])
+    fleets = fleets if isinstance(fleets, list) else [fleets]
+    found = [fit for cars in fleets for fit in fits(cars, lag)]
+    error = np.array([fit.x[0] for fit in found]) - np.log(np.concatenate([cars.K[:, 0] for cars in fleets]))
     std = np.array([fit.std[0] for fit in found])
     return np.mean(np.abs(error) < 1.96 * std), np.median(np.abs(error))
 
 
 @pytest.mark.parametrize("steer_rms", [3e-3, 10e-3])
 def test_the_interval_covers_on_the_reference_experiment(steer_rms):
-    covered, error = coverage(fleet(31, cars=CARS, steer_rms=steer_rms, halve=False), NO_LAG)
+    # 120 cars alone cover 95 +- 2 %, which the lower bound does not outlast; twice as many do
+    fleets = [fleet(seed, cars=CARS, steer_rms=steer_rms, halve=False) for seed in (31, 41)]
+    covered, error = coverage(fleets, NO_LAG)
     assert 0.93 <= covered <= 0.995
     assert error < 0.035
 
