@@ -33,15 +33,15 @@ MOSTLY_BACKWARD = 0.9  # of the moving rows; a drive in reverse gear is short
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
-# above 5, and a steer that is a command may reach the wheels at 0.67. Oversteer raises the gain, on
-# the road never above 3.
+# above 5, and a steer that is a command may reach the wheels at 0.67, or be logged at that. Oversteer
+# raises the gain, on the road never above 3.
 LEAST_FROUDE = 5.0
 LEAST_SHARE = 0.67
-LARGEST_GAIN = 3.0
+LARGEST_GAIN = 1.5
 TYPICAL_FROUDE = 25.0
 UNEXPLAINED = 2.5  # a single fault explains the gain within this factor, or none does
 USUAL_SIDE = 0.15  # g; rms of the lateral acceleration of a drive that is to show something
-CERTAIN = 2.0  # times beyond these bounds that no car and no noise explains
+CERTAIN = 2.0  # times below, and 4 times above these bounds, that no car and no noise explains
 
 READ = 'docs/logs.md, "Faults of units and signs"'
 
@@ -255,7 +255,7 @@ def _judge_gain(
     rate = column_of("r", columns).header
     bound = f"at most {LARGEST_GAIN:g}" if large > small else f"at least {least:.2g} at this speed"
     return [Finding(
-        "steer_against_yaw", bool(beyond > CERTAIN),
+        "steer_against_yaw", bool(max(large / 2, small) > CERTAIN),
         f"column {shown(rate)} of {file} is {slope:.3g} times U delta / L, the yaw rate of a "
         f"car on rails; a car has {bound}",
         usually, paste, READ, column=rate, value=slope, fix=fix,
