@@ -56,6 +56,7 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
             },
             "lag": {
                 "value": run.lag.chosen,
+                "servo": run.lag.servo,
                 "unit": "s",
                 "from": run.lag.origin,
                 "scanned_s": run.lag.lags,
