@@ -240,7 +240,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         ),
         Assign(
             "surprise",
-            S("surprise") + share("surprise_rate") * (sp.Min(S("nis"), 9) - S("surprise")),
+            S("surprise") + share("surprise_rate") * (_surprising(layout) - S("surprise")),
             "recent mean of the normalised innovation squared",
         ),
         Assign("learn", S("excited") * S("inv_spread")),
@@ -289,6 +289,14 @@ def _warm(layout: Layout) -> list[Statement]:
         Assign("inv_spread", 1 / wide, "the first samples count for less"),
         Assign("heat", S("heat") * (1 - share("heat_rate"))),
     ]
+
+
+def _surprising(layout: Layout) -> sp.Expr:
+    """What an innovation tells of a jump: nothing beyond the linear range, where the tyres are wrong first."""
+    nis = sp.Min(S("nis"), 9)
+    if layout.reduction.groups.model.validity is None:
+        return nis
+    return sp.Piecewise((nis, S("validity") < S("validity_limit") ** 2), (1, True))
 
 
 def _jump() -> list[Assign]:
