@@ -30,7 +30,7 @@ FLOW = (
     "log_following log_sensors log_speed log_response log_fixes",
     "log_survey log",
     "populations",
-    "accelerometer vehicle_prior filter_config coarse_log slow_bus first_order filter_run steer_lag",
+    "accelerometer vehicle_prior filter_config coarse_log slow_bus servo filter_run steer_lag",
     "steer_servo",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",

@@ -20,6 +20,7 @@ from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
 from similitude.program.library import shipped
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
+from similitude.servo import Servo
 from similitude.slow_bus import held_columns, new_readings, without_lines, without_repeats
 from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
 from similitude.steer_servo import find_servo
@@ -80,7 +81,7 @@ def _as_before(
 ) -> Prepared:
     noise = SensorNoise(settings["yaw_rate_noise"], fresh=1.0, step=0.0)
     scale, lag = settings["steer_scale_std"], settings["steer_lag"]
-    servo = settings.get("steer_servo", 0.0)  # states of former versions hold none
+    servo = Servo(settings.get("steer_servo", 0.0), settings.get("steer_servo_slew", np.inf))
     setup = population_setup(log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=scale)
     scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE, servo=servo)
     setup = setup.with_lag(lag, scale).with_servo(servo)
@@ -251,10 +252,11 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
 
 
 def _of_the_servo(scan: LagScan) -> dict[str, Assumed]:
-    origin = (
-        FROM_STATE if scan.origin == FROM_STATE else "of the command's servo, from the log and as servos are"
-    )
-    return {"steer_servo": Assumed(scan.servo, "s", origin)} if scan.servo else {}
+    origin = FROM_STATE if scan.origin == FROM_STATE else "scanned: the log and what is usual"
+    found = {} if scan.servo.is_none else {"steer_servo": Assumed(scan.servo.constant, "s", origin)}
+    if np.isfinite(scan.servo.slew):
+        found["steer_servo_slew"] = Assumed(scan.servo.slew, "rad/s", origin)
+    return found
 
 
 def average_lag(ready: Prepared) -> float:

@@ -16,6 +16,7 @@ from similitude.batch_fit import BatchFit
 from similitude.batch_pass import FROZEN
 from similitude.filter_run import LINEAR, Setup, side_by_side
 from similitude.program.library import shipped
+from similitude.servo import DIRECT
 
 HORIZON = 1.0  # s
 MOST = 600  # predictions, about: five minutes twice a second; of a longer log they lie further apart
@@ -43,8 +44,9 @@ def predict_ahead(
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
     Against the average car with linear tyres (with offset and bias followed), the same with the steer
-    lag and servo of this log, the batch fit's car with its own offset and bias (it has seen the whole log, the future included), and the kinematic
-    yaw rate U delta/L; the steer and speed that were driven are used.
+    lag and servo of this log, the batch fit's car with its own offset and bias (it has seen the whole
+    log, the future included), and the kinematic yaw rate U delta/L; the steer and speed that were driven
+    are used.
 
     Parameters
     ----------
@@ -59,12 +61,13 @@ def predict_ahead(
     -------
     dict    ``horizon_s``, ``predictions`` (how many were judged), ``unit``, ``rms`` by what predicted
             (``estimate``, ``frozen_averages``, ``averages_with_lag``, ``batch``, ``kinematic``),
-            ``ratio_to_frozen``, ``ratio_to_averages_with_lag`` and ``ratio_to_batch``; None where nothing could be judged.
+            ``ratio_to_frozen``, ``ratio_to_averages_with_lag`` and ``ratio_to_batch``; None where
+            nothing could be judged.
     """
     in_step = replace(setup, library=shipped(LINEAR))
     usual = in_step
     if average_lag is not None:
-        usual = in_step.with_servo(0.0).with_lag(average_lag, setup.input_scale_sd)
+        usual = in_step.with_servo(DIRECT).with_lag(average_lag, setup.input_scale_sd)
     starts = {
         "frozen_averages": _started(usual, **FROZEN),
         "averages_with_lag": _started(in_step, **FROZEN),

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from similitude.filter_config import COMMANDED_STEER_SD
 from similitude.filter_run import Setup, side_by_side
+from similitude.servo import DIRECT, Servo
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
@@ -36,7 +37,7 @@ COMMAND = 0.03  # s: a measured road wheel does not act this late; a command doe
 class LagScan:
     """Lags tried (k,) [s], their cost (k,) above the best [-], and the one chosen [s], with its sd.
 
-    Behind the lag a command passes a ``servo``, first order with that time constant [s]; 0 for none.
+    Behind the lag a command passes a ``servo``.
 
     ``early`` [s] is by how much the yaw rate comes before the steer that should cause it, which no car
     does and two clocks do; zero where the log does not speak for it.
@@ -48,12 +49,12 @@ class LagScan:
     origin: str
     std: float = 0.0  # of the chosen lag [s]; zero where the vehicle file states it
     early: float = 0.0
-    servo: float = 0.0
+    servo: Servo = DIRECT
 
     @property
     def total(self) -> float:
         """By how much the wheels are behind the steer of the log while it turns steadily [s]."""
-        return self.chosen + self.servo
+        return self.chosen + self.servo.constant
 
 
 def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
