@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from tests.estimators.fixed_case import L, NOISE, STEP, rows_of_a_drive
+from tests.estimators.fixed_case import NOISE, STEP, L, rows_of_a_drive
 
 from similitude.embedded.configuration import reference_car
 from similitude.estimators.scalar_design import scalar_config
