@@ -20,7 +20,10 @@ LINE = "similitude export bicycle --estimator population --real float --target c
 def export(
     system: Annotated[
         str | None,
-        typer.Argument(metavar="SYSTEM|FILE.py", help="bicycle, saturating_bicycle, or a file of yours."),
+        typer.Argument(
+            metavar="SYSTEM|FILE.py",
+            help="bicycle, saturating_bicycle, bicycle_with_accelerometer, or a file of yours.",
+        ),
     ] = None,
     estimator: Annotated[
         str | None,
@@ -29,7 +32,9 @@ def export(
             help="What to export; left out, the one a FILE.py holds.",
         ),
     ] = None,
-    real: Annotated[str | None, typer.Option(metavar="float|double", help="Type of every number.")] = None,
+    real: Annotated[
+        str | None, typer.Option(metavar="float|double|fixed", help="Type of every number.")
+    ] = None,
     target: Annotated[
         str | None,
         typer.Option(metavar="cortex-m4f|cortex-m3|cortex-m0|rv32|avr|host", help="Where it will run."),

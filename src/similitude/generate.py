@@ -13,11 +13,13 @@ from similitude.estimators.output_error import output_error_method
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
 from similitude.estimators.robust import robust_regression
+from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.estimators.small_population import small_population_filter
 from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
 from similitude.systems.bicycle import bicycle_reduction
+from similitude.systems.bicycle_with_accelerometer import bicycle_with_accelerometer_reduction
 from similitude.systems.saturating_bicycle import saturating_bicycle_reduction
 
 DIRECTORY = Path(__file__).parent / "generated"
@@ -34,8 +36,10 @@ def shipped() -> tuple[Program, ...]:
         band_regression,
         output_error_method,
         robust_regression,
+        scalar_population_filter,
     )
-    return (population_filter(saturating_bicycle_reduction()), *(make(reduction) for make in makers))
+    richer = (saturating_bicycle_reduction(), bicycle_with_accelerometer_reduction())
+    return (*map(population_filter, richer), *(make(reduction) for make in makers))
 
 
 def texts() -> dict[str, str]:

@@ -20,6 +20,7 @@ from similitude.program.library import Library
 REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
+REFERENCE_PLACE = 0.45  # of the wheelbase behind the front axle: on the tunnel between the seats
 TIMES = ("s", "1/s")
 POPULATION = ("population", "small_population")
 ON_TARGET = "reference: state yours with "
@@ -72,10 +73,10 @@ def _held(source: Source, vehicle: Path | None, sample_time: float | None) -> Nu
 
 
 def _shipped(source: Source, library: Library, path: Path | None, sample_time: float | None) -> Numbers:
-    from similitude.vehicle_file import Vehicle, read_vehicle
+    from similitude.vehicle_file import read_vehicle
     from similitude.vehicle_prior import vehicle_prior, wheelbase
 
-    car = read_vehicle(path) if path is not None else Vehicle(name="reference car", L=_reference())
+    car = read_vehicle(path) if path is not None else reference_car()
     L, step = wheelbase(car), sample_time or REFERENCE_TIME
     noise = car.yaw_rate_noise.value if car.yaw_rate_noise is not None else REFERENCE_NOISE
     prior = vehicle_prior(car)
@@ -91,21 +92,48 @@ def _shipped(source: Source, library: Library, path: Path | None, sample_time: f
     }
     if source.estimator not in ("paper", "monitor"):
         assumed["K"] = (float(prior.mean[0]), "m^2/s^2", prior.origins["K"])
-    values = _values(source.estimator, library, prior, step, L, noise)
+    meter = _accelerometer(car, L, library, assumed)
+    values = _values(source.estimator, library, prior, step, L, noise, meter)
     return Numbers(values, step, assumed)
 
 
-def _reference() -> Any:
+def _accelerometer(car: Any, L: float, library: Library, assumed: dict[str, Any]) -> Any:
+    """The accelerometer of a filter that takes lateral acceleration; what is taken for it is assumed."""
+    if "place_prior" not in library.names("config"):
+        return None
+    from similitude.accelerometer import BEHIND_SD, QUIETEST, Accelerometer
+
+    place = car.accelerometer
+    behind = REFERENCE_PLACE * L if place is None else place.value
+    sd = BEHIND_SD if place is None or place.sd is None else place.sd
+    state_it = f"{ON_TARGET}accelerometer in the vehicle file"
+    assumed["accelerometer"] = (behind, "m", car.origins.get("accelerometer", state_it))
+    assumed["ay_noise"] = (QUIETEST, "m/s^2", f"{ON_TARGET}ay_variance; the filter learns its own")
+    return Accelerometer(behind, sd, QUIETEST)
+
+
+def reference_car() -> Any:
+    """A car of which only the wheelbase is known, taken where no vehicle file is given."""
     from similitude.units import Uncertain
+    from similitude.vehicle_file import Vehicle
 
-    return Uncertain(REFERENCE_L, None, "m")
+    return Vehicle(name="reference car", L=Uncertain(REFERENCE_L, None, "m"))
 
 
-def _values(estimator: str, library: Library, prior: Any, step: float, L: float, noise: float) -> NDArray:
+def _values(
+    estimator: str, library: Library, prior: Any, step: float, L: float, noise: float, meter: Any
+) -> NDArray:
     if estimator in POPULATION:
         from similitude.filter_config import MEASURED_STEER_SD, filter_config
 
-        return filter_config(library, prior, L=L, noise_std=noise, input_scale_sd=MEASURED_STEER_SD)
+        return filter_config(
+            library,
+            prior,
+            L=L,
+            noise_std=noise,
+            input_scale_sd=MEASURED_STEER_SD,
+            accelerometer=meter,
+        )
     if estimator == "monitor":
         from similitude.monitor_config import monitor_config
 
@@ -114,6 +142,10 @@ def _values(estimator: str, library: Library, prior: Any, step: float, L: float,
         from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 
         return paper_config(library, sample_time=step, L=L, noise_std=noise, **PAPER_GROUPS)
+    if estimator == "scalar_population":
+        from similitude.estimators.scalar_design import scalar_config
+
+        return scalar_config(library, prior, sample_time=step, L=L, noise_std=noise)
     from similitude.estimators.ladder_design import ladder_config
 
     return ladder_config(library, prior, sample_time=step, L=L, noise_std=noise)

@@ -18,13 +18,24 @@ from similitude.errors import ModelError, SimilitudeError, UsageError
 from similitude.program.library import GENERATED, Library
 
 SHIPPED = {
-    "bicycle": ("population", "small_population", "monitor", "paper", "band", "output_error", "robust"),
+    "bicycle": (
+        "population",
+        "small_population",
+        "scalar_population",
+        "monitor",
+        "paper",
+        "band",
+        "output_error",
+        "robust",
+    ),
     "saturating_bicycle": ("population",),
+    "bicycle_with_accelerometer": ("population",),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {
     "population": ("population_filter", "population_filter"),
     "small_population": ("small_population", "small_population_filter"),
+    "scalar_population": ("scalar_population", "scalar_population_filter"),
     "monitor": ("monitor", "monitor"),
     "paper": ("paper", "paper_regression"),
     "band": ("band", "band_regression"),
@@ -118,6 +129,29 @@ def find_estimator(path: Path) -> Any:
         usually="the model is there, and the estimator is made inside a function or in another file.",
         paste="estimator = make_estimator(SYSTEM, drive=u, step='10 ms', noise='1 mm', prior={...})",
         read='docs/estimator.md, "From the command line"',
+    )
+
+
+def find_reduction(system: str) -> Any:
+    """The Reduction of a shipped system, or the one that a file holds.
+
+    Raises
+    ------
+    UsageError    there is no such system or file.
+    ModelError    the file does not run, or holds no Reduction or several.
+    """
+    if system.endswith(".py"):
+        path = _there(Path(system))
+        return _only_reduction(path, _run(path))
+    if system == "bicycle":
+        from similitude.systems.bicycle import bicycle_reduction
+
+        return bicycle_reduction()
+    raise UsageError(
+        f"'{system}' has no fixed-point profile; of the shipped systems the bicycle has",
+        usually="the saturating bicycle was meant, whose only estimator carries a covariance.",
+        paste=LINE.format(system="bicycle", estimator="paper"),
+        read='docs/embedded.md, "Fixed point"',
     )
 
 
