@@ -3,6 +3,7 @@
     shr(x, n)      x/2^n to the nearest, halves up
     shl(x, n)      x 2^n
     mul(a, b)      two values of 32 bits, exact
+    mulq(a, b)     the same without its last 32 bits: (a b) >> 32
     mulx(a, b)     a of 64 bits and b so few that both fit 62: exact
     mulw(a, b)     a of 64, b of 32 bits: (a b) >> 32
     mulh(a, b)     both of 64 bits: about (a b) >> 64
@@ -74,6 +75,13 @@ def sub(a: Int, b: Int) -> Int:
     return _made("sub", (a, b), a.lo - b.hi, a.hi - b.lo)
 
 
+def fade(a: Int, n: int) -> Int:
+    """a less its own 2^-n, rounded: what forgetting keeps."""
+    kept = sub(a, shr(a, n))
+    half = 1 << (n - 1)
+    return Int(kept.kind, kept.args, a.lo - ((a.lo + half) >> n), a.hi - ((a.hi + half) >> n))
+
+
 def neg(a: Int) -> Int:
     """-a."""
     if a.kind == "const":
@@ -91,6 +99,13 @@ def mul(a: Int, b: Int) -> Int:
     """The exact product of two values of 32 bits."""
     assert a.is_narrow and b.is_narrow
     return _made("mul", (a, b), *_corners(a, b))
+
+
+def mulq(a: Int, b: Int) -> Int:
+    """The upper half of the product of two values of 32 bits, rounded down."""
+    assert a.is_narrow and b.is_narrow
+    lo, hi = _corners(a, b)
+    return _made("mulq", (a, b), lo >> 32, hi >> 32)
 
 
 def mulx(a: Int, b: Int) -> Int:

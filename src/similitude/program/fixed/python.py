@@ -32,6 +32,10 @@ def _clamp(x, lo, hi):
     return lo if x < lo else hi if x > hi else x
 
 
+def _mulq(a, b):
+    return a * b >> 32
+
+
 def _mulw(a, b):
     return a * b >> 32
 
@@ -44,11 +48,11 @@ def _quotient(n, d, up, lo, hi):
     under = max(d, 1)
     drop = max(under.bit_length() - 31, 0)
     under, up = under >> drop, up - drop
-    over = n << up if up >= 0 else n >> min(-up, 62)
-    if abs(over) >= 2**62:
-        return hi if over > 0 else lo
-    half = under >> 1
-    return _clamp((over + half) // under if over >= 0 else -((half - over) // under), lo, hi)
+    size = abs(n) << up if up >= 0 else abs(n) >> min(-up, 62)
+    if size >= 2**62:
+        return lo if n < 0 else hi
+    size = (size + (under >> 1)) // under
+    return _clamp(-size if n < 0 else size, lo, hi)
 
 
 def init(config):
