@@ -25,7 +25,7 @@ from similitude.change_alarm import monitored
 from similitude.embedded.costs import Cost, measure, missing_tools
 from similitude.embedded.drive import self_test_rows
 from similitude.embedded.fixed_profile import FIXED, Profile, fixed_profile
-from similitude.embedded.fixed_texts import integer_rows
+from similitude.embedded.fixed_texts import integer_rows, self_test_drive
 from similitude.embedded.folder import export, export_profile
 from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.targets import TARGETS
@@ -182,8 +182,7 @@ def _one(
 def _one_fixed(estimator: str, rows, step: float, targets: list, budgets: dict, *, write: bool) -> list[str]:
     """One estimator in fixed point on every target; what failed."""
     profile = fixed_profile("bicycle", estimator, vehicle=CAR, sample_time=step)
-    faulty = self_test_rows(profile.plain, profile.plain.library(), profile.config, step)
-    driven = integer_rows(profile, np.vstack([faulty, rows]))
+    driven = integer_rows(profile, np.vstack([self_test_drive(profile), rows]))
     wanted = words_on_host(profile, driven)
     with tempfile.TemporaryDirectory(prefix="similitude-") as place:
         folder = Path(place, profile.source.name)

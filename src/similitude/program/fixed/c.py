@@ -110,66 +110,93 @@ SIMILITUDE_INLINE int32_t {name}_mulq(int32_t a, int32_t b)
 }}
 """,
     "mulw": """\
-/* (a b) >> 32 of a wide a; the lower word of a has no sign. */
+/* About (a b) >> 32 of a wide a. */
 static int64_t {name}_mulw(int64_t a, int32_t b)
 {{
-    const uint32_t low = (uint32_t)((uint64_t)a & UINT64_C(0xFFFFFFFF));
-    const int32_t half = (int32_t)(low >> 1);
-    const int32_t odd = ((low & 1u) != 0u) ? b : 0;
-    const int64_t twice = ((int64_t)half * b * 2) + odd;
-    return ((int64_t){name}_upper(a) * b) + {name}_upper(twice);
+    const int32_t half = (int32_t)((uint32_t)((uint64_t)a & UINT64_C(0xFFFFFFFF)) >> 1);
+    return ((int64_t){name}_upper(a) * b) + ((int64_t){name}_upper((int64_t)half * b) * 2);
 }}
 """,
     "mulh": """\
 /* About (a b) >> 64. */
 static int64_t {name}_mulh(int64_t a, int64_t b)
 {{
-    const uint32_t low = (uint32_t)((uint64_t)b & UINT64_C(0xFFFFFFFF));
-    const int32_t high = {name}_upper(a);
-    const int32_t half = (int32_t)(low >> 1);
-    const int32_t odd = ((low & 1u) != 0u) ? high : 0;
-    const int64_t twice = ((int64_t)half * high * 2) + odd;
-    return {name}_mulw(a, {name}_upper(b)) + {name}_upper(twice);
+    const int32_t half = (int32_t)((uint32_t)((uint64_t)b & UINT64_C(0xFFFFFFFF)) >> 1);
+    const int64_t rest = (int64_t){name}_upper((int64_t)half * {name}_upper(a)) * 2;
+    return {name}_mulw(a, {name}_upper(b)) + rest;
+}}
+""",
+    "up": """\
+/* x 2^n */
+SIMILITUDE_INLINE int64_t {name}_up(int64_t x, int n)
+{{
+    return (int64_t)((uint64_t)x << n);
 }}
 """,
     "quotient": """\
-/* n 2^up/d to the nearest, kept in lo..hi; a divisor below one counts as one. */
+/* The first 31 bits of x, from the first that is one; how many bits x has. */
+static int32_t {name}_leading(uint64_t x, int *bits)
+{{
+    const uint32_t low = (uint32_t)(x & UINT64_C(0xFFFFFFFF));
+    const uint32_t high = (uint32_t){name}_upper((int64_t)x);
+    uint32_t word = (high != 0u) ? high : low;
+    int n = 0;
+    if (word >= UINT32_C(0x10000)) {{
+        word >>= 16;
+        n = 16;
+    }}
+    if (word >= UINT32_C(0x100)) {{
+        word >>= 8;
+        n += 8;
+    }}
+    if (word >= UINT32_C(0x10)) {{
+        word >>= 4;
+        n += 4;
+    }}
+    if (word >= UINT32_C(0x4)) {{
+        word >>= 2;
+        n += 2;
+    }}
+    n += (word >= 2u) ? 2 : (int)word;
+    if (high != 0u) {{
+        *bits = n + 32;
+        return (int32_t)((high << (31 - n)) | ((low >> n) >> 1));
+    }}
+    *bits = n;
+    return (int32_t)((n == 32) ? (low >> 1) : (low << (31 - n)));
+}}
+
+/* n 2^up/d to 28 bits, kept in lo..hi; a divisor below one counts as one. The reciprocal of the divisor by a
+ * division of 32 bits and a step of Newton's. */
 static int32_t {name}_quotient(int64_t n, int64_t d, int up, int32_t lo, int32_t hi)
 {{
-    uint64_t under = (d < 1) ? UINT64_C(1) : (uint64_t)d;
-    uint64_t size = (n < 0) ? (UINT64_C(0) - (uint64_t)n) : (uint64_t)n;
-    uint32_t high = (uint32_t){name}_upper((int64_t)under);
-    int drop = ((high != 0u) || (((uint32_t)(under & UINT64_C(0xFFFFFFFF)) >> 31) != 0u)) ? 1 : 0;
-    if (high >= UINT32_C(0x8000)) {{
-        high >>= 16;
-        drop += 16;
-    }}
-    if (high >= UINT32_C(0x80)) {{
-        high >>= 8;
-        drop += 8;
-    }}
-    if (high >= UINT32_C(0x8)) {{
-        high >>= 4;
-        drop += 4;
-    }}
-    drop += (int)((high >= 4u) ? 3u : ((high >= 2u) ? 2u : high));
-    under >>= drop;
-    up -= drop;
-    if (up < 0) {{
-        size >>= (up < -62) ? 62 : -up;
+    const uint64_t size = (n < 0) ? (UINT64_C(0) - (uint64_t)n) : (uint64_t)n;
+    int below;
+    int above;
+    const int32_t under = {name}_leading((d < 1) ? UINT64_C(1) : (uint64_t)d, &below);
+    const int32_t over = {name}_leading(size, &above);
+    const int32_t first = (int32_t)((UINT32_C(0x7FFFFFFF) / ((uint32_t)under >> 15)) << 15);
+    const int32_t miss = INT32_C(0x20000000) - {name}_upper((int64_t)under * first);
+    const int32_t inverse = first + {name}_upper((int64_t)first * (miss * 8));
+    const uint32_t ratio = (uint32_t){name}_upper((int64_t)over * inverse);
+    const int shift = 29 - ((above - below) + up);
+    uint32_t found;
+    if ((n == 0) || (shift > 31)) {{
+        found = 0u;
+    }} else if (shift < -2) {{
+        found = UINT32_C(0xFFFFFFFF);
+    }} else if (shift <= 0) {{
+        found = ratio << -shift;
     }} else {{
-        if (size > ((up > 61) ? UINT64_C(0) : (UINT64_C(0x3FFFFFFFFFFFFFFF) >> up))) {{
-            return (n < 0) ? lo : hi;
-        }}
-        size = (size == 0u) ? size : (size << up);
+        found = (ratio + (UINT32_C(1) << (shift - 1))) >> shift;
     }}
-    size = (size + (under >> 1)) / under;
-    return {name}_clamp((n < 0) ? -(int64_t)size : (int64_t)size, lo, hi);
+    found = (found > UINT32_C(0x7FFFFFFF)) ? UINT32_C(0x7FFFFFFF) : found;
+    return {name}_limit((n < 0) ? -(int32_t)found : (int32_t)found, lo, hi);
 }}
 """,
 }
 _NEEDS = {
-    "quotient": ("clamp", "halves"),
+    "quotient": ("limit", "halves"),
     "mulh": ("mulw", "halves"),
     "mulw": ("halves",),
     "mulq": ("halves",),
@@ -195,6 +222,7 @@ def print_fixed_c(fixed: FixedProgram) -> str:
     )
     kinds = used(fixed.step) | {"limit"}
     wanted = kinds | {more for kind in kinds for more in _NEEDS.get(kind, ())}
+    wanted |= {"up"} if "_up(" in "".join(_body(fixed, fixed.step, 1)) else set()
     wanted |= {"halves"} if any(f.format.wide for f in fixed.state) else set()
     helpers = "\n".join(text.format(name=name) for kind, text in _HELPERS.items() if kind in wanted)
     structs = [
@@ -344,6 +372,8 @@ def _unary(node: it.Int, name: str) -> tuple[str, bool]:
     n = node.args[1]
     if node.kind == "shl":
         wide = wide or not node.is_narrow
+        if was:
+            return f"{name}_up({a}, {n})", True
         return f"({_wide(a, was) if wide else a} * {_number(1 << n, wide)})", wide
     half = 1 << (n - 1)
     wide = wide or node.args[0].hi + half > it.NARROW[1] or n > 31

@@ -5,10 +5,10 @@
     mul(a, b)      two values of 32 bits, exact
     mulq(a, b)     the same without its last 32 bits: (a b) >> 32
     mulx(a, b)     a of 64 bits and b so few that both fit 62: exact
-    mulw(a, b)     a of 64, b of 32 bits: (a b) >> 32
+    mulw(a, b)     a of 64, b of 32 bits: about (a b) >> 32
     mulh(a, b)     both of 64 bits: about (a b) >> 64
     clamp(x, l, h) the nearest in l..h
-    quotient(n, d, up, lo, hi)    n 2^up/d to the nearest, kept in lo..hi; d > 0
+    quotient(n, d, up, lo, hi)    n 2^up/d to 28 bits, kept in lo..hi; d > 0
 
 Invariant: an expression whose value could leave 63 bits cannot be made, so nothing that is printed wraps.
 """
@@ -114,16 +114,16 @@ def mulx(a: Int, b: Int) -> Int:
 
 
 def mulw(a: Int, b: Int) -> Int:
-    """The product of a wide and a narrow value without its last 32 bits, rounded down."""
+    """The product of a wide and a narrow value without its last 32 bits, three units off at most."""
     assert b.is_narrow
     lo, hi = _corners(a, b)
-    return _made("mulw", (a, b), lo >> 32, hi >> 32)
+    return _made("mulw", (a, b), (lo >> 32) - 3, (hi >> 32) + 3)
 
 
 def mulh(a: Int, b: Int) -> Int:
-    """The product of two wide values without its last 64 bits, two units low at most."""
+    """The product of two wide values without its last 64 bits, six units off at most."""
     lo, hi = _corners(a, b)
-    return _made("mulh", (a, b), (lo >> 64) - 2, hi >> 64)
+    return _made("mulh", (a, b), (lo >> 64) - 6, (hi >> 64) + 6)
 
 
 def shl(a: Int, n: int) -> Int:
@@ -153,7 +153,7 @@ def clamp(a: Int, lo: int, hi: int) -> Int:
 
 
 def quotient(n: Int, d: Int, up: int, lo: int, hi: int) -> Int:
-    """n 2^up/d to the nearest, kept in lo..hi of 32 bits; a divisor below one counts as one."""
+    """n 2^up/d to 28 bits, kept in lo..hi of 32 bits; a divisor below one counts as one."""
     assert NARROW[0] < lo <= hi <= NARROW[1]
     return _made("quotient", (n, d, up, lo, hi), lo if n.lo < 0 else max(lo, min(0, hi)), hi)
 

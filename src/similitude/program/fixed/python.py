@@ -37,22 +37,33 @@ def _mulq(a, b):
 
 
 def _mulw(a, b):
-    return a * b >> 32
+    return (a >> 32) * b + 2 * (((a & 0xFFFFFFFF) >> 1) * b >> 32)
 
 
 def _mulh(a, b):
-    return _mulw(a, b >> 32) + ((b & 0xFFFFFFFF) * (a >> 32) >> 32)
+    return _mulw(a, b >> 32) + 2 * (((b & 0xFFFFFFFF) >> 1) * (a >> 32) >> 32)
+
+
+def _leading(x):
+    bits = x.bit_length()
+    return x << 31 - bits if bits <= 31 else x >> bits - 31, bits
 
 
 def _quotient(n, d, up, lo, hi):
-    under = max(d, 1)
-    drop = max(under.bit_length() - 31, 0)
-    under, up = under >> drop, up - drop
-    size = abs(n) << up if up >= 0 else abs(n) >> min(-up, 62)
-    if size >= 2**62:
-        return lo if n < 0 else hi
-    size = (size + (under >> 1)) // under
-    return _clamp(-size if n < 0 else size, lo, hi)
+    under, below = _leading(max(d, 1))
+    over, above = _leading(abs(n))
+    first = (0x7FFFFFFF // (under >> 15)) << 15
+    miss = 0x20000000 - (under * first >> 32)
+    ratio = over * (first + (first * miss * 8 >> 32)) >> 32
+    shift = 29 - (above - below + up)
+    if n == 0 or shift > 31:
+        found = 0
+    elif shift < -2:
+        found = 0x7FFFFFFF
+    else:
+        found = ratio << -shift if shift <= 0 else ratio + (1 << shift - 1) >> shift
+    found = min(found, 0x7FFFFFFF)
+    return _clamp(-found if n < 0 else found, lo, hi)
 
 
 def init(config):
