@@ -67,6 +67,9 @@ FAULTS: dict[str, tuple[Callable, set[str], dict[str, str]]] = {
     "road wheel divided again": (bad.scaled("delta", 1 / 15.3), GAIN, {}),
     "speed in km/h": (bad.scaled("U", 3.6), GAIN, {}),
     "speed in m/s": (bad.scaled("U", 1), GAIN, {"U": "km/h"}),
+    "speed in mph as km/h": (bad.scaled("U", 1 / 1.609344), GAIN, {}),
+    "speed in knots as km/h": (bad.scaled("U", 1 / 1.852), GAIN, {}),
+    "speed in mph as m/s": (bad.scaled("U", 2.236936), GAIN, {}),
     "speed of one wheel": (bad.one_wheel, {"speed_of_one_wheel"}, {}),
     "speed negative": (bad.scaled("U", -1), {"reverse"} | GAIN, {}),
     "speed zero for a while": (bad.zeroed("U"), {"standstill", "drives_joined", "speed_unit"}, {}),
@@ -77,6 +80,8 @@ FAULTS: dict[str, tuple[Callable, set[str], dict[str, str]]] = {
     "time since 1970": (bad.since_1970, {"time_since_epoch"}, {}),
     "counter of 16 bits": (bad.wrapped(2**16 * 1e-3), {"time_wraps"}, {}),
     "counter of 32 bits": (bad.wrapped(2**32 * 1e-6), {"time_wraps"}, {}),
+    "time in min": (bad.scaled("t", 1 / 60), {"time_unit", "too_short"}, {}),
+    "time in h": (bad.scaled("t", 1 / 3600), {"time_unit", "too_short"}, {}),
     "clock set": (bad.clock_set, JOINED, {}),
     "clock set by a little": (bad.clock_nudged, JOINED | {"short_gaps", "time_unsorted"}, {}),
     "rows shuffled": (bad.shuffled, {"time_unsorted"}, {}),
@@ -89,6 +94,8 @@ FAULTS: dict[str, tuple[Callable, set[str], dict[str, str]]] = {
     "steer stuck for long": (bad.stuck("delta", 5, 15), {"stuck"}, {}),
     "steer clipped": (bad.clipped("delta"), {"clipped", "steer_cut"}, {}),
     "yaw rate clipped": (bad.clipped("r"), {"clipped"}, {}),
+    "yaw rate overflows": (bad.overflowing("r"), {"overflow", "spikes"}, {}),
+    "yaw rate with a dead band": (bad.dead_banded("r"), {"dead_band"}, {}),
     "spikes of the steer": (bad.spiked("delta"), {"spikes"}, {}),
     "spikes of the yaw rate": (bad.spiked("r"), {"spikes"}, {}),
     "spikes of the speed": (bad.spiked("U"), {"spikes"}, {}),
@@ -138,7 +145,7 @@ def outcome(
     """What a user is told of a file: a word of `WORDS`, and the faults or warnings met."""
     try:
         log = read_log(path, vehicle=vehicle)
-        new = [one.fault for one in log.findings if one.fault in names - before]
+        new = [one.fault for one in log.findings if one.fault in names and _where(one) not in before]
         if new:
             return "named", tuple(new)
         run = identify(log, vehicle)
@@ -152,6 +159,11 @@ def outcome(
     if run.K.lo <= K <= run.K.hi:
         return "harmless", said
     return ("doubted" if said else "wrong"), (f"{run.K.value:.0f} ({run.K.lo:.0f}-{run.K.hi:.0f})", *said)
+
+
+def _where(finding: Finding) -> str:
+    """Fault and column: the command of a steer may be cut off before its yaw rate is."""
+    return f"{finding.fault} of {finding.column}"
 
 
 # What a warning says about the fault, for warnings that carry no name.
@@ -202,7 +214,7 @@ def undamaged(drive: Drive, vehicle: Vehicle, folder: Path, with_ay: bool) -> tu
     log: Log = read_log(bad.write(drive, folder, with_ay=with_ay), vehicle=vehicle)
     run = identify(log, vehicle)
     found: tuple[Finding, ...] = log.findings
-    return {one.fault for one in found} | {_kind(one) for one in run.warnings}, run
+    return {_where(one) for one in found} | {_kind(one) for one in run.warnings}, run
 
 
 def main() -> None:

@@ -66,8 +66,10 @@ def logs() -> tuple[np.ndarray, float]:
     return np.vstack([real, made]), step
 
 
-def rows_of(estimator: str, rows: np.ndarray) -> np.ndarray:
+def rows_of(system: str, estimator: str, rows: np.ndarray) -> np.ndarray:
     """The same rows as an estimator takes them: the monitor's hold what the filter handed out."""
+    if system == "bicycle_with_accelerometer":
+        return np.column_stack([rows, rows[:, 2] * rows[:, 3]])  # U r
     if estimator != "monitor":
         return rows
     car = read_vehicle(CAR)
@@ -172,7 +174,7 @@ def _one(
         verified = verify_folder(folder)
         outputs, states = len(library.layout.OUTPUT), len(library.names("state"))
         faulty = self_test_rows(source, library, done.numbers.values, step)
-        driven = np.vstack([faulty, rows_of(estimator, rows)])
+        driven = np.vstack([faulty, rows_of(system, estimator, rows)])
         wanted = on_host(source.name, source.c, done.numbers.values, driven, outputs, states)
         faults += _measured(folder, source, "float", targets, wanted, budgets, write=write)
         faults += [] if verified.words else [f"{source.name}: an empty self-test"]

@@ -102,7 +102,8 @@ def monitored(library: Library, done: Pass) -> NDArray[np.float64]:
     """Samples of the monitor, (n, fields): the filter's, its status, and what it handed out."""
     names = library.names("sample")
     handed_out = [done.output(name) for name in names[HANDED_ON:]]
-    return np.column_stack([done.setup.samples(), done.status.astype(float), *handed_out])
+    own = done.setup.samples()[:, : HANDED_ON - 1]  # a further measurement is nothing to it
+    return np.column_stack([own, done.status.astype(float), *handed_out])
 
 
 def _alarm(t: NDArray[np.float64], column: Mapping[str, NDArray[np.float64]], row: int) -> Alarm:

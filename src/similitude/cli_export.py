@@ -20,7 +20,10 @@ LINE = "similitude export bicycle --estimator population --real float --target c
 def export(
     system: Annotated[
         str | None,
-        typer.Argument(metavar="SYSTEM|FILE.py", help="bicycle, saturating_bicycle, or a file of yours."),
+        typer.Argument(
+            metavar="SYSTEM|FILE.py",
+            help="bicycle, saturating_bicycle, bicycle_with_accelerometer, or a file of yours.",
+        ),
     ] = None,
     estimator: Annotated[
         str | None,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.accelerometer import Accelerometer
 from similitude.population import Prior
 from similitude.program.library import Library
 
@@ -56,6 +57,18 @@ DESIGN = {
     "validity_rate": 2 / 0.3,  # 1/s
 }
 LIMIT_SD = 2.5  # of every slow unknown
+ACCELEROMETER = {
+    "bank_rate": 0.2,  # 1/s: a superelevated curve, the crown of a lane
+    "push_rate": 2.0,  # 1/s: a gust, a rut
+    "ay_bias_sd": 0.3,  # m/s^2: mounting, and the roll it always has
+    "ay_bias_drift": 2.5e-3,  # (m/s^2)^2/s
+    "ay_share": 0.05,  # roll of the body adds gravity, 5 % of what it feels
+    "ay_time": 0.1,  # s: vibration and filters
+    "ay_noise_scale_low": 0.01,
+    "ay_noise_scale_high": 100.0,
+    "ay_limit": 60.0,  # m/s^2
+}
+BANK, PUSH = 0.3, 0.1  # m/s^2, sd: 3 % of superelevation, a crosswind of a motorway
 GRIP = (GRAVITY, 0.15)  # m/s^2, and sd of its logarithm: dry roads to good tyres; never printed
 LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
 ROOM = 0.5  # of ln K
@@ -68,6 +81,7 @@ def filter_config(
     L: float,
     noise_std: float,
     input_scale_sd: float,
+    accelerometer: Accelerometer | None = None,
     **changes: float,
 ) -> NDArray[np.float64]:
     """The flat configuration of the bicycle's population filter.
@@ -79,10 +93,18 @@ def filter_config(
     L : wheelbase [m].
     noise_std : white noise of the yaw rate a sample [rad/s].
     input_scale_sd : sd of the steer angle's scale [-].
+    accelerometer : of the filter that takes lateral acceleration; the others do not look at it.
     changes : design constants to replace, by name.
     """
     if "grip_prior" in library.names("config"):
         prior = prior.beside("grip", "log", *GRIP, "dry road")
+    further: dict[str, float] = {}
+    if "place_prior" in library.names("config") and accelerometer is not None:
+        prior = prior.beside(
+            "place", "linear", accelerometer.behind / L, accelerometer.behind_sd / L, "stated"
+        )
+        prior = prior.beside("bank", "linear", 0.0, BANK, "roads").beside("push", "linear", 0.0, PUSH, "wind")
+        further = {**ACCELEROMETER, "ay_variance": accelerometer.noise**2}
     widths = LIMIT_SD * prior.std
     widths[0] = LIMIT_SD_TARGET * np.hypot(prior.std[0], ROOM)
     low, high = prior.limits(widths)
@@ -98,5 +120,5 @@ def filter_config(
     for i, name in enumerate(prior.names):
         values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
     told = {row[0] for row in library.layout.CONFIG}  # a small filter asks for less
-    own = {name: value for name, value in {**DESIGN, **values}.items() if name in told}
+    own = {name: value for name, value in {**DESIGN, **further, **values}.items() if name in told}
     return library.config({**own, **changes})

@@ -15,14 +15,17 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.accelerometer import Accelerometer
 from similitude.coarse_log import coarse_log
 from similitude.filter_config import filter_config
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
+from similitude.servo import DIRECT, Servo
 from similitude.slow_bus import bridged
 
 POPULATION = "saturating_bicycle_population"
+WITH_ACCELEROMETER = "bicycle_with_accelerometer_population"
 LINEAR = "bicycle_population"  # the same with linear tyres: the whole-log fit's, and the average car's
 BRIDGED = 0.1  # s: hands on a wheel do little in between
 WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
@@ -40,6 +43,8 @@ class Setup:
     noise_std: float  # rad/s
     input_scale_sd: float  # -
     lag: float = 0.0  # s
+    servo: Servo = DIRECT  # through which the wheels follow the steer of a lag ago
+    accelerometer: Accelerometer | None = None
     first_step: float | None = None  # s from the last row of an earlier log
     tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
 
@@ -56,19 +61,24 @@ class Setup:
         return float(np.median(self.dt))
 
     def samples(self) -> NDArray[np.float64]:
-        """Rows for the step, (n, 4): dt, steer as it acts, speed, yaw rate."""
-        return np.column_stack([self.dt, self._acting_steer(), self.log.U, self.log.r])
+        """Rows for the step: dt, steer as it acts, speed, yaw rate; then ay for the filter that takes it."""
+        columns = [self.dt, self._acting_steer(), self.log.U, self.log.r]
+        if len(self.library.layout.SAMPLE) > len(columns):
+            columns.append(self.log.ay)
+        return np.column_stack(columns)
 
     def _acting_steer(self) -> NDArray[np.float64]:
-        """Steer of a lag ago, (n,) [rad]; a short hole is bridged, a long one stays missing."""
+        """Steer of a lag ago behind the servo, (n,) [rad]; a long hole stays missing, a short is bridged."""
         t, steer = self.log.t, self.log.delta
         known = np.flatnonzero(np.isfinite(steer))
-        if self.lag == 0 or known.size < 2:
+        if (self.lag == 0 and self.servo.is_none) or known.size < 2:
             return steer
         there, angle = t[known], steer[known]
         if self.tail is not None:
             there, angle = np.concatenate([self.tail[0], there]), np.concatenate([self.tail[1], angle])
-        acting = np.interp(t - self.lag, there, angle)
+        before = t[:0] if self.servo.is_none else there[there + self.lag < t[0]] + self.lag
+        at = np.concatenate([before, t])
+        acting = self.servo.follow(at, np.interp(at - self.lag, there, angle))[before.size :]
         wide = np.diff(there) > max(BRIDGED, 3 * self.usual_step)
         if not wide.any():
             return acting
@@ -83,6 +93,7 @@ class Setup:
             L=self.L,
             noise_std=self.noise_std,
             input_scale_sd=self.input_scale_sd,
+            accelerometer=self.accelerometer,
             **changes,
         )
 
@@ -98,6 +109,14 @@ class Setup:
         log = coarse_log(bridged(self.log), rate)
         measured = max(int(np.isfinite(self.log.r).sum()), 1)
         return replace(self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / measured)))
+
+    def with_accelerometer(self, accelerometer: Accelerometer) -> Setup:
+        """The same with the filter that takes lateral acceleration."""
+        return replace(self, accelerometer=accelerometer, library=shipped(WITH_ACCELEROMETER))
+
+    def with_servo(self, servo: Servo) -> Setup:
+        """The same with another steering servo."""
+        return replace(self, servo=servo)
 
     def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
         """The same with another steer lag [s] and steer scale sd [-]."""

@@ -19,6 +19,7 @@ from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
 from similitude.systems.bicycle import bicycle_reduction
+from similitude.systems.bicycle_with_accelerometer import bicycle_with_accelerometer_reduction
 from similitude.systems.saturating_bicycle import saturating_bicycle_reduction
 
 DIRECTORY = Path(__file__).parent / "generated"
@@ -37,7 +38,8 @@ def shipped() -> tuple[Program, ...]:
         robust_regression,
         scalar_population_filter,
     )
-    return (population_filter(saturating_bicycle_reduction()), *(make(reduction) for make in makers))
+    richer = (saturating_bicycle_reduction(), bicycle_with_accelerometer_reduction())
+    return (*map(population_filter, richer), *(make(reduction) for make in makers))
 
 
 def texts() -> dict[str, str]:

@@ -9,6 +9,7 @@ from dataclasses import asdict
 
 import numpy as np
 
+from similitude.accelerometer import Accelerometer, find_accelerometer
 from similitude.change_alarm import watch
 from similitude.cross_check import cross_check, sentence
 from similitude.drive_memory import TakenUp, in_line, remember, take_up
@@ -16,6 +17,7 @@ from similitude.filter_run import Pass, Setup, side_by_side
 from similitude.handling import handling
 from similitude.identify_setup import (
     assumed_of,
+    average_lag,
     group_table,
     held_by_limits,
     prepare,
@@ -37,6 +39,13 @@ from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
 from similitude.verdict import evidence, linear_doubts, verdict
 
+SIDEWAYS = {
+    "bank": "m/s^2",
+    "push": "m/s^2",
+    "ay_bias": "m/s^2",
+    "place": "-",
+}  # of the accelerometer's filter
+
 
 def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = None) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
@@ -44,7 +53,9 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
     batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
     if state is None:
         ready = with_fitted_lag(ready, batch)
-    setup, prior, scan = ready.setup, ready.prior, ready.scan
+    prior, scan = ready.prior, ready.scan
+    accelerometer, unused = find_accelerometer(log, vehicle)
+    setup = ready.setup.with_accelerometer(accelerometer) if accelerometer else ready.setup
     taken = take_up(state, vehicle, setup) if state else None
     done, lag_spread = _passes(in_line(setup, taken), scan, taken)
     watched = watch(done, taken.monitor if taken else None)
@@ -75,15 +86,16 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
         groups=group_table(values, np.sqrt(np.diag(covariance)), prior),
         nuisance=_nuisance(done),
         lag=scan,
-        prediction=predict_ahead(setup, batch),
+        prediction=predict_ahead(setup, batch, average_lag=average_lag(ready)),
         handling=handling(values, covariance, L=setup.L, U=usual_speed(done), mass=vehicle.m),
         warnings=(
             *log.warnings,
+            *([unused] if unused else []),
             *([sentence(check)] if check and check.structure_error else []),
             *warnings_of(ready, batch, learnt=learnt),
             *doubts,
         ),
-        assumed=assumed_of(ready) | _assumed_of_watch(taken),
+        assumed=assumed_of(ready) | _assumed_of_accelerometer(accelerometer) | _assumed_of_watch(taken),
         Caf=axle_stiffness(vehicle, K),
         batch=reported(batch) if batch else None,
         cross_check=check,
@@ -93,6 +105,17 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
         time_scales=scales.record,
         memory=remember(vehicle, done, watched, scales, float(np.broadcast_to(lag_spread, log.samples)[-1])),
     )
+
+
+def _assumed_of_accelerometer(found: Accelerometer | None) -> dict[str, Assumed]:
+    if found is None:
+        return {}
+    return {
+        "accelerometer": Assumed(
+            found.behind, "m", f"vehicle file, ± {found.behind_sd:.2g} m behind the axle"
+        ),
+        "ay_noise": Assumed(found.noise, "m/s^2", "estimated from the log"),
+    }
 
 
 def _assumed_of_watch(taken: TakenUp | None) -> dict[str, Assumed]:
@@ -169,7 +192,8 @@ def _nuisance(done: Pass) -> dict[str, Nuisance]:
         "steer_scale": "input_scale",
         "disturbance": "disturbance",
     }
-    units = {"yaw_bias": "rad/s", "steer_offset": "rad", "steer_scale": "-", "disturbance": "rad"}
+    names |= {name: name for name in SIDEWAYS if name in done.setup.library.names("state")}
+    units = SIDEWAYS | {"yaw_bias": "rad/s", "steer_offset": "rad", "steer_scale": "-", "disturbance": "rad"}
     std = np.sqrt(np.diag(done.covariance(list(names.values()))))
     return {
         name: Nuisance(done.value(field), float(s), units[name])

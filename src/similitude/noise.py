@@ -47,17 +47,17 @@ def sensor_noise(values: NDArray[np.float64]) -> SensorNoise:
     fresh = float(max(np.mean(changed), 1.0 / finite.size))
     steps = np.abs(np.diff(finite))[changed]
     step = float(np.quantile(steps, 0.01)) if steps.size else 0.0
-    white = _white(values)
+    white = white_noise(values)
     if 1 - fresh < min(CHANCE_ROOM * CHANCE * step / max(white, FLOOR), HELD_SHARE):
         fresh = 1.0
     elif fresh < 0.95:
-        white = _white(finite[1:][changed])
+        white = white_noise(finite[1:][changed])
     quantisation = step / np.sqrt(12.0)
     return SensorNoise(float(max(white, quantisation, FLOOR) / np.sqrt(fresh)), fresh, step)
 
 
-def _white(readings: NDArray[np.float64]) -> float:
-    """Sd of the white part of a signal whose every sample is a new reading."""
+def white_noise(readings: NDArray[np.float64]) -> float:
+    """Sd of the white part of a signal, (n,) in any unit, whose every sample is a new reading."""
     second = np.abs(np.diff(readings, 2))
     second = second[np.isfinite(second)]  # a difference across a hole is a manoeuvre
     return MAD_TO_STD * float(np.median(second)) / SECOND_DIFFERENCE if second.size else 0.0

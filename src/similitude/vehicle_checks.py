@@ -49,6 +49,8 @@ _BOUNDS = (
     ("steer_lag", 0.0, 1.0, "milliseconds were meant.", 'steer_lag = "20 ms"'),
     ("yaw_rate_noise", 1e-7, 0.5, "deg/s were meant; a car's gyro has 0.01 to 0.5 deg/s.",
      'yaw_rate_noise = "0.15 deg/s"'),
+    ("accelerometer", -3.0, 15.0, "millimetres were meant; it is the place behind the front axle.",
+     'accelerometer = "1.3 m"'),
 )  # fmt: skip
 
 
@@ -72,7 +74,7 @@ def find_fault(values: Mapping[str, Uncertain], *, population: str) -> Fault | N
 def _signs(values: Mapping[str, Uncertain]) -> list[Fault]:
     faults = []
     for key, held in values.items():
-        if held.value < 0 or (held.value == 0 and key != "steer_lag"):
+        if held.value < 0 or (held.value == 0 and key not in ("steer_lag", "accelerometer")):
             faults.append(Fault(
                 key, f"{key} = {held.value:.6g} {_si(key)} is not positive",
                 "a sign slipped in; distances, masses and stiffnesses are positive.",
@@ -213,7 +215,7 @@ _EXAMPLES = {
     "L": 'L = "2.69 m"', "a": 'a = "1.19 m"', "b": 'b = "1.50 m"', "m": 'm = "1650 kg"',
     "Iz": 'Iz = "2800 kg m^2"', "Caf": 'Caf = "90 kN/rad"', "Car": 'Car = "110 kN/rad"',
     "steering_ratio": "steering_ratio = 15.3", "steer_lag": 'steer_lag = "20 ms"',
-    "yaw_rate_noise": 'yaw_rate_noise = "0.15 deg/s"',
+    "yaw_rate_noise": 'yaw_rate_noise = "0.15 deg/s"', "accelerometer": 'accelerometer = "1.3 m"',
 }  # fmt: skip
 
 # For a number that was typed with the SI unit: (unit in which it may be instead, its size in SI), or
@@ -226,6 +228,7 @@ _OTHER_UNITS = {
 _SI_UNITS = {
     "L": "m", "a": "m", "b": "m", "m": "kg", "Iz": "kg m^2", "Caf": "N/rad", "Car": "N/rad",
     "steering_ratio": "", "steer_lag": "s", "yaw_rate_noise": "rad/s",
+    "accelerometer": "m",
 }  # fmt: skip
 
 

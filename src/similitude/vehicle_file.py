@@ -49,6 +49,7 @@ population = "passenger_cars"       # what similar cars are like; or "light_truc
 
 # [sensor]
 # yaw_rate_noise = "0.15 deg/s"     # standard deviation of the gyro's noise
+# accelerometer = "1.3 ± 0.05 m"    # its place behind the front axle; with it the log's ay is used
 """
 
 
@@ -66,6 +67,7 @@ class Vehicle:
     steering_ratio : Uncertain or None  steering wheel angle over road wheel angle [-]
     steer_lag : Uncertain or None       from logged steer to road wheels [s]
     yaw_rate_noise : Uncertain or None  standard deviation of the yaw rate's noise [rad/s]
+    accelerometer : Uncertain or None   its place behind the front axle [m]
     population : str                    one of `similitude.populations.shipped.shipped_names`
     origins : dict of str to str        where each value that is not None comes from
     """
@@ -81,6 +83,7 @@ class Vehicle:
     steering_ratio: Uncertain | None = None
     steer_lag: Uncertain | None = None
     yaw_rate_noise: Uncertain | None = None
+    accelerometer: Uncertain | None = None
     population: str = DEFAULT_POPULATION
     origins: dict[str, str] = field(default_factory=dict)
 

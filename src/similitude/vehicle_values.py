@@ -31,7 +31,10 @@ KEYS = {
     "steering_ratio": (Dimension.none, "steering_ratio = 15.3"),
     "steer_lag": (TIME, 'steer_lag = "20 ms"'),
 }
-SENSOR_KEYS = {"yaw_rate_noise": (FREQUENCY, 'yaw_rate_noise = "0.15 deg/s"')}
+SENSOR_KEYS = {
+    "yaw_rate_noise": (FREQUENCY, 'yaw_rate_noise = "0.15 deg/s"'),
+    "accelerometer": (LENGTH, 'accelerometer = "1.3 ± 0.05 m"'),
+}
 
 # As one line that may stand anywhere above the first section.
 _EXAMPLES = {
@@ -47,6 +50,7 @@ _SYNONYMS = {
     "cf": "Caf", "c_f": "Caf", "cr": "Car", "c_r": "Car", "ratio": "steering_ratio",
     "steer_ratio": "steering_ratio", "lag": "steer_lag", "delay": "steer_lag",
     "noise": "yaw_rate_noise", "sigma_r": "yaw_rate_noise", "vehicle": "name",
+    "ay_position": "accelerometer", "imu": "accelerometer",
 }  # fmt: skip
 
 

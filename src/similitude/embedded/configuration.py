@@ -20,6 +20,7 @@ from similitude.program.library import Library
 REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
+REFERENCE_PLACE = 0.45  # of the wheelbase behind the front axle: on the tunnel between the seats
 TIMES = ("s", "1/s")
 POPULATION = ("population", "small_population")
 ON_TARGET = "reference: state yours with "
@@ -91,8 +92,24 @@ def _shipped(source: Source, library: Library, path: Path | None, sample_time: f
     }
     if source.estimator not in ("paper", "monitor"):
         assumed["K"] = (float(prior.mean[0]), "m^2/s^2", prior.origins["K"])
-    values = _values(source.estimator, library, prior, step, L, noise)
+    meter = _accelerometer(car, L, library, assumed)
+    values = _values(source.estimator, library, prior, step, L, noise, meter)
     return Numbers(values, step, assumed)
+
+
+def _accelerometer(car: Any, L: float, library: Library, assumed: dict[str, Any]) -> Any:
+    """The accelerometer of a filter that takes lateral acceleration; what is taken for it is assumed."""
+    if "place_prior" not in library.names("config"):
+        return None
+    from similitude.accelerometer import BEHIND_SD, QUIETEST, Accelerometer
+
+    place = car.accelerometer
+    behind = REFERENCE_PLACE * L if place is None else place.value
+    sd = BEHIND_SD if place is None or place.sd is None else place.sd
+    state_it = f"{ON_TARGET}accelerometer in the vehicle file"
+    assumed["accelerometer"] = (behind, "m", car.origins.get("accelerometer", state_it))
+    assumed["ay_noise"] = (QUIETEST, "m/s^2", f"{ON_TARGET}ay_variance; the filter learns its own")
+    return Accelerometer(behind, sd, QUIETEST)
 
 
 def reference_car() -> Any:
@@ -103,11 +120,20 @@ def reference_car() -> Any:
     return Vehicle(name="reference car", L=Uncertain(REFERENCE_L, None, "m"))
 
 
-def _values(estimator: str, library: Library, prior: Any, step: float, L: float, noise: float) -> NDArray:
+def _values(
+    estimator: str, library: Library, prior: Any, step: float, L: float, noise: float, meter: Any
+) -> NDArray:
     if estimator in POPULATION:
         from similitude.filter_config import MEASURED_STEER_SD, filter_config
 
-        return filter_config(library, prior, L=L, noise_std=noise, input_scale_sd=MEASURED_STEER_SD)
+        return filter_config(
+            library,
+            prior,
+            L=L,
+            noise_std=noise,
+            input_scale_sd=MEASURED_STEER_SD,
+            accelerometer=meter,
+        )
     if estimator == "monitor":
         from similitude.monitor_config import monitor_config
 

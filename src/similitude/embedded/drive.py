@@ -27,7 +27,7 @@ def self_test_rows(source: Source, library: Library, config: NDArray, sample_tim
     fed = source.estimator == "monitor"
     names = library.names("sample")
     taken = names[:FED] if fed else names  # the rest of a monitor's sample is what its filter hands out
-    rows = _excited(library, config, sample_time, len(taken))
+    rows = _excited(library, config, sample_time, taken)
     rows = np.vstack([rows[:CLEAN], _faults(rows[CLEAN - 1], taken), rows[CLEAN:]])
     return _monitored(rows, names) if fed else rows
 
@@ -38,13 +38,18 @@ def _limit(library: Library, config: NDArray, name: str, otherwise: float) -> fl
     return float(config[library.index("config", name)])
 
 
-def _excited(library: Library, config: NDArray, sample_time: float, width: int) -> NDArray:
-    """A weave of input, and the output of a first-order lag behind it with a little noise."""
+def _excited(library: Library, config: NDArray, sample_time: float, names: list[str]) -> NDArray:
+    """A weave of input, and outputs of a first-order lag behind it with a little noise."""
     n = CLEAN + AFTER
     input_limit = _limit(library, config, "input_limit", 1.0)
-    output_limit = _limit(library, config, "output_limit", 10.0)
+    limits = {  # of what is measured: "measured" the first output, "NAME_measured" another
+        k: _limit(library, config, f"{name.removesuffix('measured') or 'output_'}limit", 10.0)
+        for k, name in enumerate(names)
+        if name.endswith("measured")
+    }
+    signals = [k for k in range(2, len(names)) if k not in limits]
     signal_limit = _limit(library, config, "signal_limit", 1.0)
-    rows = np.zeros((n, width))
+    rows = np.zeros((n, len(names)))
     seed, lagged = 1, 0.0
     for k in range(n):
         seed = (1103515245 * seed + 12345) % 2**31
@@ -53,8 +58,9 @@ def _excited(library: Library, config: NDArray, sample_time: float, width: int) 
         lagged += 0.25 * (weave - lagged)
         rows[k, 0] = sample_time
         rows[k, 1] = 0.03 * input_limit * weave
-        rows[k, 2:-1] = signal_limit * (0.1 + 0.04 * (k // 8) / (n / 8))
-        rows[k, -1] = output_limit * (0.02 * lagged + 0.0003 * noise)
+        rows[k, signals] = signal_limit * (0.1 + 0.04 * (k // 8) / (n / 8))
+        for j, limit in limits.items():
+            rows[k, j] = limit * (0.02 * lagged + 0.0003 * noise)
     return rows
 
 

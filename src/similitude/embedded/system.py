@@ -29,6 +29,7 @@ SHIPPED = {
         "robust",
     ),
     "saturating_bicycle": ("population",),
+    "bicycle_with_accelerometer": ("population",),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {

@@ -35,6 +35,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
     target = layout.target
     lines: list[Statement] = [
         Assign("keep_w", sp.Max(0, 1 - dt * S("disturbance_rate"))),
+        *(Assign(f"keep_{n}", sp.Max(0, 1 - dt * S(f"{n}_rate"))) for n in layout.wandering),
         Assign("w_nominal", _disturbance_variance(layout), "nominal variance of the disturbance"),
         Assign("move", sp.Integer(0)),
         Assign("diffusion", S("drift")),
@@ -67,15 +68,24 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
             },
             {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
         ),
-        decay={at[DISTURBANCE]: S("keep_w")},
+        decay={at[DISTURBANCE]: S("keep_w")} | {at[n]: S(f"keep_{n}") for n in layout.wandering},
         noise={
             at[DISTURBANCE]: added,
             at[target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
+            **{at[f"{q.name}_bias"]: S(f"{q.name}_bias_drift") * dt for q in layout.further},
+            **{at[n]: _prior_variance(layout, n) * (1 - S(f"keep_{n}") ** 2) for n in layout.wandering},
         }
         | ({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
     )
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
+    prior = {n: S(f"{n}_prior") for n in layout.wandering}
+    lines += [Assign(n, x0 + S(f"keep_{n}") * (S(n) - x0)) for n, x0 in prior.items()]
     return lines
+
+
+def _prior_variance(layout: Layout, name: str) -> sp.Symbol:
+    i = layout.unknowns.index(name)
+    return layout.prior[i, i]
 
 
 def _pull(layout: Layout) -> list[Statement]:
@@ -116,8 +126,11 @@ def _disturbance_variance(layout: Layout) -> sp.Expr:
     return floor * floor + relative * relative * S("activity")
 
 
-def measurement(layout: Layout) -> list[Statement]:
-    """Predict the output and, where the sample is usable, update everything by the innovation."""
+def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[Statement]:
+    """Predict the output and, where the sample is usable, update everything by the innovation.
+
+    ``further`` is what the other outputs of the sample correct after that.
+    """
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     states |= {layout.input.symbol: S("u_end")}
@@ -144,7 +157,7 @@ def measurement(layout: Layout) -> list[Statement]:
         H[at[BIAS]] = sp.Integer(1)
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
-    share = S("structure_share") * S("structure_share")
+    structural = S("structure_share") * S("structure_share")
     dependent = sp.Max(1, 2 * S("structure_time") * S("inv_dt"))
     timing = S("timing_error") * S("output_rate")
     lines: list[Statement] = [
@@ -155,16 +168,16 @@ def measurement(layout: Layout) -> list[Statement]:
         Assign("output_rate", speed),
         Assign(
             "activity",
-            S("activity") + _share("activity_rate") * (S("response") ** 2 - S("activity")),
+            S("activity") + share("activity_rate") * (S("response") ** 2 - S("activity")),
         ),
         Assign(
             "noise",
-            S("noise_scale") * (S("noise_variance") + timing**2 + share * S("activity") * dependent),
+            S("noise_scale") * (S("noise_variance") + timing**2 + structural * S("activity") * dependent),
             "variance of the measurement",
         ),
         *_validity(layout, states),
     ]
-    lines.append(When(S("usable") > sp.Rational(1, 2), tuple(_update(layout, H)), (), "measurement"))
+    lines.append(When(S("usable") > sp.Rational(1, 2), (*_update(layout, H), *further), (), "measurement"))
     lines += _move(layout.reduction.unknowns[0], "move")
     return lines
 
@@ -189,7 +202,7 @@ def _validity(layout: Layout, states: Mapping[sp.Symbol, sp.Symbol]) -> list[Sta
     signal = layout.inverted(groups.model.validity[0].subs(physical, simultaneous=True))
     return [
         Assign("validity_now", signal, groups.model.validity[1].meaning),
-        Assign("validity_then", S("validity") * (1 - _share("validity_rate"))),
+        Assign("validity_then", S("validity") * (1 - share("validity_rate"))),
         Assign("validity_square", S("validity_now") ** 2),
         Assign("validity", sp.Max(S("validity_square"), S("validity_then"))),
     ]
@@ -219,17 +232,13 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("sensitivity", S(f"c_{t}") * S("inv_P"), f"of the output to ln {layout.target}"),
         Assign(
             "excitation",
-            S("excitation") + _share("excitation_rate") * (S("sensitivity") ** 2 - S("excitation")),
+            S("excitation") + share("excitation_rate") * (S("sensitivity") ** 2 - S("excitation")),
         ),
         Assign(
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        Assign(
-            "surprise",
-            S("surprise") + _share("surprise_rate") * (sp.Min(S("nis"), 9) - S("surprise")),
-            "recent mean of the normalised innovation squared",
-        ),
+        _surprise(layout),
         Assign("learn", S("excited") * S("inv_spread")),
         *_jump(),
         Assign(
@@ -247,7 +256,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     ]
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: "learn"}
-    weight |= dict.fromkeys(layout.seldom, "learn_seldom")
+    weight |= dict.fromkeys(layout.seldom, "learn_seldom") | dict.fromkeys(layout.wandering, "inv_spread")
     lines += [
         Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in gains.items()
     ]
@@ -274,8 +283,16 @@ def _warm(layout: Layout) -> list[Statement]:
     wide = S("innovation_variance") + S("heat") * S("noise")
     return [
         Assign("inv_spread", 1 / wide, "the first samples count for less"),
-        Assign("heat", S("heat") * (1 - _share("heat_rate"))),
+        Assign("heat", S("heat") * (1 - share("heat_rate"))),
     ]
+
+
+def _surprise(layout: Layout) -> Assign:
+    """Recent surprise; beyond the linear range an innovation tells of the tyre law and counts as usual."""
+    linear = S("validity") < S("validity_limit") ** 2 if layout.reduction.groups.model.validity else True
+    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
+    return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
 
 def _jump() -> list[Assign]:
@@ -287,7 +304,7 @@ def _jump() -> list[Assign]:
         Assign("above", above),
         Assign(
             "restlessness",
-            S("restlessness") + _share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
+            S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
         ),
         Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
     ]
@@ -303,7 +320,7 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
             lines.append(Assign("move", S("move") + gain * nu))
         elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
-            lines += _move_log(name, f"move_{name}")
+            lines += move_log(name, f"move_{name}")
         else:
             lines.append(Assign(name, S(name) + gain * nu))
     return lines
@@ -313,24 +330,25 @@ def _move(unknown: Unknown, by: str) -> list[Statement]:
     """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
     if unknown.kind == "linear":
         return [Assign(unknown.name, unknown.symbol + S(by))]
-    return _move_log(unknown.name, by)
+    return move_log(unknown.name, by)
 
 
-def _move_log(name: str, by: str) -> list[Statement]:
+def move_log(name: str, by: str) -> list[Statement]:
+    """Move a positive state by so much of its logarithm, at most one at a time."""
     bounded = S(f"bounded_{by}")
     return [
         Assign(f"above_{by}", sp.Max(S(by), -1)),
         Assign(bounded.name, sp.Min(S(f"above_{by}"), 1)),
-        Assign(name, S(name) * _exponential(bounded)),
+        Assign(name, S(name) * exponential(bounded)),
     ]
 
 
-def _exponential(x: sp.Symbol) -> sp.Expr:
+def exponential(x: sp.Symbol) -> sp.Expr:
     """exp to third order, without a division; positive for |x| <= 1."""
     return 1 + x * (1 + x * (sp.Rational(1, 2) + x / 6))
 
 
-def _limit(name: str) -> list[Assign]:
+def keep_within(name: str) -> list[Assign]:
     """Keep a state between its configured limits."""
     return [
         Assign(name, sp.Max(S(name), S(f"{name}_low"))),
@@ -338,7 +356,7 @@ def _limit(name: str) -> list[Assign]:
     ]
 
 
-def _share(rate: str) -> sp.Expr:
+def share(rate: str) -> sp.Expr:
     """Weight of the newest value in an average of the given rate."""
     return sp.Min(1, dt * S(rate))
 
@@ -361,16 +379,16 @@ def _adapt(layout: Layout) -> list[Statement]:
             "noise_change",
             sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1) * calm,
         ),
-        Assign("noise_scale", S("noise_scale") * _exponential(change)),
-        *_limit("noise_scale"),
+        Assign("noise_scale", S("noise_scale") * exponential(change)),
+        *keep_within("noise_scale"),
         Assign("expected", at * S("w_nominal"), "disturbance variance expected"),
         Assign("seen", sp.Min(S(DISTURBANCE) ** 2 + P[w, w], 9 * expected), "and seen"),
         Assign("unseen", unseen),
         Assign(
             "disturbance_scale",
-            at + _share("disturbance_adapt") * (seen - expected) * at / S("unseen") * calm,
+            at + share("disturbance_adapt") * (seen - expected) * at / S("unseen") * calm,
         ),
-        *_limit("disturbance_scale"),
+        *keep_within("disturbance_scale"),
         When(
             sp.And(S("excited") < sp.Rational(1, 2), S("status") < sp.Rational(1, 2)),
             (Assign("status", sp.Integer(STATUS["not_excited"])),),

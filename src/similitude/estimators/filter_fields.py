@@ -10,6 +10,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from similitude.estimators.further_fields import (
+    further_config,
+    further_sample,
+    further_state,
+    wandering_config,
+)
 from similitude.model import Quantity
 from similitude.program.ir import Field
 from similitude.program.symmetric import Symmetric
@@ -58,7 +64,8 @@ class Layout:
     @property
     def coordinates(self) -> tuple[str, ...]:
         """All n filter states in the order of the covariance."""
-        return (*self.fast, DISTURBANCE, *self.unknowns, *self.errors)
+        biases = (f"{q.name}_bias" for q in self.further)
+        return (*self.fast, DISTURBANCE, *self.unknowns, *self.errors, *biases)
 
     @property
     def considered(self) -> tuple[str, ...]:
@@ -69,6 +76,11 @@ class Layout:
     def seldom(self) -> tuple[str, ...]:
         """Unknowns that are learnt from one sample in a while."""
         return tuple(u.name for u in self.reduction.unknowns if u.role == "seldom")
+
+    @property
+    def wandering(self) -> tuple[str, ...]:
+        """Unknowns that wander about their prior, corrected by every sample."""
+        return tuple(u.name for u in self.reduction.unknowns if u.role == "wander")
 
     @property
     def covariance(self) -> Symmetric:
@@ -94,6 +106,11 @@ class Layout:
     def output(self) -> Quantity:
         """The measured output."""
         return self.reduction.groups.model.outputs[0]
+
+    @property
+    def further(self) -> tuple[Quantity, ...]:
+        """Outputs measured besides the first."""
+        return self.reduction.groups.model.outputs[1:]
 
     @property
     def signals(self) -> tuple[Quantity, ...]:
@@ -201,6 +218,8 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         ),
         Field("validity_limit", _validity_unit(layout), "edge of the model's linear range"),
         Field("validity_rate", "1/s", "decay rate of the memory of a visit outside the linear range"),
+        *(wandering_config(u) for u in layout.reduction.unknowns if u.name in layout.wandering),
+        *(field for q in layout.further for field in further_config(q)),
     )
 
 
@@ -250,6 +269,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
         *_error_states(layout),
+        *(field for q in layout.further for field in further_state(q)),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
         Field("noise_scale", "-", "noise variance against nominal"),
         Field("disturbance_scale", "-", "disturbance variance against nominal"),
@@ -283,6 +303,7 @@ def sample_fields(layout: Layout) -> tuple[Field, ...]:
         Field("input", i.unit, i.meaning),
         *(Field(q.name, q.unit, q.meaning) for q in layout.signals),
         Field("measured", o.unit, f"measured {o.meaning}"),
+        *(further_sample(q) for q in layout.further),
     )
 
 

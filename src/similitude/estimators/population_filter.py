@@ -19,6 +19,8 @@ from similitude.errors import ProgramError
 from similitude.estimators import filter_covariance as cov
 from similitude.estimators import filter_fields as ff
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.estimators.further_fields import further_variable
+from similitude.estimators.further_output import further_updates
 from similitude.program.ir import Assign, Field, Program, Statement, When
 from similitude.reduction import Reduction
 from similitude.sampling import implicit_step
@@ -105,6 +107,7 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         Field("diffusion", "1/s", "diffusion of the first unknown now"),
         Field("inv_spread", "-", "1/variance the innovation counts with"),
         Field("move", "-", "change of the first unknown's logarithm"),
+        *(further_variable(q) for q in layout.further),
     )
 
 
@@ -118,7 +121,10 @@ def _init(layout: Layout) -> list[Statement]:
     lines += [Assign(name, S(f"{name}_prior")) for name in layout.unknowns]
     lines += [Assign(name, sp.Integer(name == INPUT_SCALE)) for name in layout.errors]
     lines += [Assign(P.target(i, j), sp.Integer(0)) for i in range(P.n) for j in range(i, P.n)]
-    lines += [Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, *layout.errors)]
+    biases = tuple(f"{q.name}_bias" for q in layout.further)
+    lines += [
+        Assign(P.target(at[n], at[n]), S(f"{n}_sd") ** 2) for n in (*layout.fast, *layout.errors, *biases)
+    ]
     lines += [
         Assign(P.target(at[a], at[b]), prior[i, j])
         for i, a in enumerate(layout.unknowns)
@@ -141,6 +147,8 @@ def _init(layout: Layout) -> list[Statement]:
         "started",
     ]
     names += [f"last_{q.name}" for q in layout.signals]
+    names += [f"{q.name}_{part}" for q in layout.further for part in ("bias", "activity")]
+    lines += [Assign(f"{q.name}_noise_scale", sp.Integer(1)) for q in layout.further]
     if layout.warming:
         lines.append(Assign("heat", S("heat_start")))
     lines.append(
@@ -172,7 +180,7 @@ def _step(layout: Layout) -> list[Statement]:
                 *_gates(layout),
                 *_restart(layout),
                 *_dynamics(layout),
-                *_measure(layout),
+                *cov.measurement(layout, further_updates(layout)),
                 *_after(layout),
             ),
             (
@@ -341,10 +349,6 @@ def _scales(layout: Layout) -> list[Statement]:
 
 def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
     return {q.symbol: S(f"was_{q.name}") for q in layout.signals}
-
-
-def _measure(layout: Layout) -> list[Statement]:
-    return cov.measurement(layout)
 
 
 def _after(layout: Layout) -> list[Statement]:

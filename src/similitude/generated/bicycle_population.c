@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1148 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1151 at most, 7 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 83 reals, configuration 65 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -781,7 +781,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
             excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
-            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
+            surprise = surprise + ((validity < (validity_limit*validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_population_real learn = excited*inv_spread;
             const bicycle_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);

@@ -1,0 +1,52 @@
+"""Fields of a population filter for outputs measured besides the first, and for unknowns that wander.
+
+measured = model's output + bias        noise of each sample alike for ``time``, a share of the output in it
+"""
+
+from __future__ import annotations
+
+from similitude.model import Quantity
+from similitude.program.ir import Field
+from similitude.reduction import Unknown
+
+
+def further_config(q: Quantity) -> tuple[Field, ...]:
+    """What the filter is told once of a further output."""
+    n, unit = q.name, q.unit
+    return (
+        Field(f"{n}_bias_sd", unit, f"prior sd of the bias of {n}"),
+        Field(f"{n}_bias_drift", f"({unit})^2/s", f"random walk of the bias of {n}"),
+        Field(f"{n}_variance", f"({unit})^2", f"white noise of {n} a sample"),
+        Field(f"{n}_share", "-", f"structural error of {n} as a share of it"),
+        Field(f"{n}_time", "s", f"correlation time of what {n} holds besides the model"),
+        Field(f"{n}_noise_scale_low", "-", f"least noise variance of {n} against nominal"),
+        Field(f"{n}_noise_scale_high", "-", f"greatest noise variance of {n} against nominal"),
+        Field(f"{n}_limit", unit, f"greatest believable {n}"),
+    )
+
+
+def further_state(q: Quantity) -> tuple[Field, ...]:
+    """What the filter remembers of a further output."""
+    n, unit = q.name, q.unit
+    return (
+        Field(f"{n}_bias", unit, f"bias of {n}"),
+        Field(f"{n}_activity", f"({unit})^2", f"mean square of {n} predicted"),
+        Field(f"{n}_noise_scale", "-", f"noise variance of {n} against nominal"),
+    )
+
+
+def further_sample(q: Quantity) -> Field:
+    """The measurement itself; a NaN where there is none."""
+    return Field(f"{q.name}_measured", q.unit, f"measured {q.meaning}")
+
+
+def further_variable(q: Quantity) -> Field:
+    """A working value that outlives a guard."""
+    return Field(
+        f"{q.name}_inv_spread", f"1/({q.unit})^2", f"1/variance the innovation of {q.name} counts with"
+    )
+
+
+def wandering_config(unknown: Unknown) -> Field:
+    """How fast a wandering unknown forgets."""
+    return Field(f"{unknown.name}_rate", "1/s", f"1/correlation time of {unknown.meaning}")

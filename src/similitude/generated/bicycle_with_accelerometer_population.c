@@ -1,0 +1,1729 @@
+/* Population filter of the bicycle_with_accelerometer. Generated from its model by similitude; do not edit.
+ *
+ *   model: bicycle_with_accelerometer, Brennan & Alleyne 2004, eqs 1-4, with saturating tyres, bank and wind
+ *   base: m, L, U
+ *   unknowns: K, pi1, eta, rho, grip, place, bank, push
+ *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
+ *
+ * Operations: step 3061 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 155 reals, configuration 113 reals; no heap, no globals, no libm, C99.
+ * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
+ */
+
+#ifndef SIMILITUDE_REAL
+#define SIMILITUDE_REAL double
+#endif
+#ifndef SIMILITUDE_API
+#if defined(_WIN32)
+#define SIMILITUDE_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define SIMILITUDE_API __attribute__((visibility("default")))
+#else
+#define SIMILITUDE_API
+#endif
+#endif
+#ifndef SIMILITUDE_INLINE
+#if defined(__GNUC__)
+#define SIMILITUDE_INLINE static inline __attribute__((always_inline))
+#else
+#define SIMILITUDE_INLINE static inline
+#endif
+#endif
+
+typedef SIMILITUDE_REAL bicycle_with_accelerometer_population_real;
+#define R(x) ((bicycle_with_accelerometer_population_real)(x))
+
+enum bicycle_with_accelerometer_population_status {
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_OK = 0,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_NOT_EXCITED = 1,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_OUTSIDE_LINEAR = 2,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_AT_LIMIT = 3,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_NO_MEASUREMENT = 4,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_RESTARTED = 5,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_TOO_SLOW = 6,
+    BICYCLE_WITH_ACCELEROMETER_POPULATION_BAD_SAMPLE = 7
+};
+
+typedef struct bicycle_with_accelerometer_population_config {
+    bicycle_with_accelerometer_population_real L;    /* [m] wheelbase */
+    bicycle_with_accelerometer_population_real K_prior; /* [m^2/s^2] prior of Caf L/m, front cornering stiffness per mass and length */
+    bicycle_with_accelerometer_population_real pi1_prior; /* [-] prior of a/L, position of the centre of gravity */
+    bicycle_with_accelerometer_population_real eta_prior; /* [-] prior of rear over front cornering coefficient; > 1 understeers */
+    bicycle_with_accelerometer_population_real rho_prior; /* [-] prior of Iz/(m a b), yaw inertia ratio */
+    bicycle_with_accelerometer_population_real grip_prior; /* [m/s^2] prior of mu g, greatest lateral acceleration */
+    bicycle_with_accelerometer_population_real place_prior; /* [-] prior of accelerometer behind the front axle over L */
+    bicycle_with_accelerometer_population_real bank_prior; /* [m/s^2] prior of lateral part of gravity on a banked road */
+    bicycle_with_accelerometer_population_real push_prior; /* [m/s^2] prior of force of the wind per mass */
+    bicycle_with_accelerometer_population_real P_prior[36]; /* [-] prior covariance of the unknowns' coordinates, upper triangle */
+    bicycle_with_accelerometer_population_real prior_information; /* [-] 1/prior variance of ln K */
+    bicycle_with_accelerometer_population_real K_low; /* [m^2/s^2] lowest value the population allows */
+    bicycle_with_accelerometer_population_real K_high; /* [m^2/s^2] highest value the population allows */
+    bicycle_with_accelerometer_population_real pi1_low; /* [-] lowest value the population allows */
+    bicycle_with_accelerometer_population_real pi1_high; /* [-] highest value the population allows */
+    bicycle_with_accelerometer_population_real eta_low; /* [-] lowest value the population allows */
+    bicycle_with_accelerometer_population_real eta_high; /* [-] highest value the population allows */
+    bicycle_with_accelerometer_population_real rho_low; /* [-] lowest value the population allows */
+    bicycle_with_accelerometer_population_real rho_high; /* [-] highest value the population allows */
+    bicycle_with_accelerometer_population_real grip_low; /* [m/s^2] lowest value the population allows */
+    bicycle_with_accelerometer_population_real grip_high; /* [m/s^2] highest value the population allows */
+    bicycle_with_accelerometer_population_real place_low; /* [-] lowest value the population allows */
+    bicycle_with_accelerometer_population_real place_high; /* [-] highest value the population allows */
+    bicycle_with_accelerometer_population_real bank_low; /* [m/s^2] lowest value the population allows */
+    bicycle_with_accelerometer_population_real bank_high; /* [m/s^2] highest value the population allows */
+    bicycle_with_accelerometer_population_real push_low; /* [m/s^2] lowest value the population allows */
+    bicycle_with_accelerometer_population_real push_high; /* [m/s^2] highest value the population allows */
+    bicycle_with_accelerometer_population_real input_scale_sd; /* [-] sd of the scale of delta, also that of the known scales */
+    bicycle_with_accelerometer_population_real input_scale_low; /* [-] least scale of delta */
+    bicycle_with_accelerometer_population_real input_scale_high; /* [-] greatest scale of delta */
+    bicycle_with_accelerometer_population_real input_offset_sd; /* [rad] prior sd of the offset of delta */
+    bicycle_with_accelerometer_population_real output_bias_sd; /* [rad/s] prior sd of the bias of r */
+    bicycle_with_accelerometer_population_real v_star_sd; /* [-] sd after a restart */
+    bicycle_with_accelerometer_population_real r_star_sd; /* [-] sd after a restart */
+    bicycle_with_accelerometer_population_real noise_variance; /* [(rad/s)^2] white noise of r a sample */
+    bicycle_with_accelerometer_population_real drift; /* [1/s] diffusion of ln K while it is observed */
+    bicycle_with_accelerometer_population_real idle_drift; /* [1/s] diffusion of ln K while nothing is heard of it */
+    bicycle_with_accelerometer_population_real jump_drift; /* [1/s] further diffusion per unit of surprise above its limit */
+    bicycle_with_accelerometer_population_real bias_drift; /* [(rad/s)^2/s] random walk of the output bias */
+    bicycle_with_accelerometer_population_real timing_error; /* [s] timing error between input and output */
+    bicycle_with_accelerometer_population_real companion_rate; /* [1/s] rate at which the uncorrected states follow the estimate */
+    bicycle_with_accelerometer_population_real structure_share; /* [-] structural error as a share of the output's activity */
+    bicycle_with_accelerometer_population_real structure_time; /* [s] correlation time of the structural error */
+    bicycle_with_accelerometer_population_real activity_rate; /* [1/s] averaging rate of the output's activity */
+    bicycle_with_accelerometer_population_real disturbance_floor; /* [rad] disturbance at rest, equivalent input */
+    bicycle_with_accelerometer_population_real disturbance_share; /* [-] disturbance as a share of the dimensionless activity */
+    bicycle_with_accelerometer_population_real disturbance_rate; /* [1/s] 1/correlation time of the disturbance */
+    bicycle_with_accelerometer_population_real disturbance_adapt; /* [1/s] adaptation rate of the disturbance's size */
+    bicycle_with_accelerometer_population_real disturbance_scale_start; /* [-] disturbance variance against nominal at the start */
+    bicycle_with_accelerometer_population_real disturbance_scale_low; /* [-] least disturbance variance against nominal */
+    bicycle_with_accelerometer_population_real disturbance_scale_high; /* [-] greatest disturbance variance against nominal */
+    bicycle_with_accelerometer_population_real noise_adapt; /* [1/s] adaptation rate of the noise's size in the long run */
+    bicycle_with_accelerometer_population_real noise_scale_low; /* [-] least noise variance against nominal */
+    bicycle_with_accelerometer_population_real noise_scale_high; /* [-] greatest noise variance against nominal */
+    bicycle_with_accelerometer_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
+    bicycle_with_accelerometer_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
+    bicycle_with_accelerometer_population_real seldom; /* [s] least time between samples that the seldom learnt unknowns learn from */
+    bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
+    bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
+    bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_with_accelerometer_population_real observed_least; /* [-] least share of the disturbance taken as observed */
+    bicycle_with_accelerometer_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
+    bicycle_with_accelerometer_population_real gap;  /* [s] longest time without a usable sample before a restart */
+    bicycle_with_accelerometer_population_real input_limit; /* [rad] greatest believable delta */
+    bicycle_with_accelerometer_population_real output_limit; /* [rad/s] greatest believable r */
+    bicycle_with_accelerometer_population_real signal_limit; /* [m/s] greatest believable scale */
+    bicycle_with_accelerometer_population_real validity_limit; /* [m/s^2] edge of the model's linear range */
+    bicycle_with_accelerometer_population_real validity_rate; /* [1/s] decay rate of the memory of a visit outside the linear range */
+    bicycle_with_accelerometer_population_real bank_rate; /* [1/s] 1/correlation time of lateral part of gravity on a banked road */
+    bicycle_with_accelerometer_population_real push_rate; /* [1/s] 1/correlation time of force of the wind per mass */
+    bicycle_with_accelerometer_population_real ay_bias_sd; /* [m/s^2] prior sd of the bias of ay */
+    bicycle_with_accelerometer_population_real ay_bias_drift; /* [(m/s^2)^2/s] random walk of the bias of ay */
+    bicycle_with_accelerometer_population_real ay_variance; /* [(m/s^2)^2] white noise of ay a sample */
+    bicycle_with_accelerometer_population_real ay_share; /* [-] structural error of ay as a share of it */
+    bicycle_with_accelerometer_population_real ay_time; /* [s] correlation time of what ay holds besides the model */
+    bicycle_with_accelerometer_population_real ay_noise_scale_low; /* [-] least noise variance of ay against nominal */
+    bicycle_with_accelerometer_population_real ay_noise_scale_high; /* [-] greatest noise variance of ay against nominal */
+    bicycle_with_accelerometer_population_real ay_limit; /* [m/s^2] greatest believable ay */
+} bicycle_with_accelerometer_population_config;
+
+typedef struct bicycle_with_accelerometer_population_state {
+    bicycle_with_accelerometer_population_real v_star; /* [-] dimensionless state */
+    bicycle_with_accelerometer_population_real r_star; /* [-] dimensionless state */
+    bicycle_with_accelerometer_population_real v_star_plain; /* [-] the same, not corrected by measurements */
+    bicycle_with_accelerometer_population_real r_star_plain; /* [-] the same, not corrected by measurements */
+    bicycle_with_accelerometer_population_real disturbance; /* [rad] disturbance as an equivalent delta */
+    bicycle_with_accelerometer_population_real K;    /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    bicycle_with_accelerometer_population_real pi1;  /* [-] a/L, position of the centre of gravity */
+    bicycle_with_accelerometer_population_real eta;  /* [-] rear over front cornering coefficient; > 1 understeers */
+    bicycle_with_accelerometer_population_real rho;  /* [-] Iz/(m a b), yaw inertia ratio */
+    bicycle_with_accelerometer_population_real grip; /* [m/s^2] mu g, greatest lateral acceleration */
+    bicycle_with_accelerometer_population_real place; /* [-] accelerometer behind the front axle over L */
+    bicycle_with_accelerometer_population_real bank; /* [m/s^2] lateral part of gravity on a banked road */
+    bicycle_with_accelerometer_population_real push; /* [m/s^2] force of the wind per mass */
+    bicycle_with_accelerometer_population_real input_scale; /* [-] delta that acts over delta measured */
+    bicycle_with_accelerometer_population_real input_offset; /* [rad] offset of delta */
+    bicycle_with_accelerometer_population_real output_bias; /* [rad/s] bias of r */
+    bicycle_with_accelerometer_population_real ay_bias; /* [m/s^2] bias of ay */
+    bicycle_with_accelerometer_population_real ay_activity; /* [(m/s^2)^2] mean square of ay predicted */
+    bicycle_with_accelerometer_population_real ay_noise_scale; /* [-] noise variance of ay against nominal */
+    bicycle_with_accelerometer_population_real P[120]; /* [-] covariance of the coordinates above, upper triangle by rows */
+    bicycle_with_accelerometer_population_real noise_scale; /* [-] noise variance against nominal */
+    bicycle_with_accelerometer_population_real disturbance_scale; /* [-] disturbance variance against nominal */
+    bicycle_with_accelerometer_population_real activity; /* [(rad/s)^2] mean square of the predicted output */
+    bicycle_with_accelerometer_population_real settling; /* [1/s] adaptation rate of the noise's size now, fast at first */
+    bicycle_with_accelerometer_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
+    bicycle_with_accelerometer_population_real jump; /* [-] surprise taken as a jump of the first unknown */
+    bicycle_with_accelerometer_population_real surprise; /* [-] recent mean of the normalised innovation squared */
+    bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
+    bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
+    bicycle_with_accelerometer_population_real unlearnt; /* [s] time since the seldom learnt unknowns last learnt anything */
+    bicycle_with_accelerometer_population_real validity; /* [(m/s^2)^2] recent peak of the validity signal, squared */
+    bicycle_with_accelerometer_population_real information; /* [-] information gained about ln K */
+    bicycle_with_accelerometer_population_real last_input; /* [rad] input of the sample before */
+    bicycle_with_accelerometer_population_real last_U; /* [m/s] forward speed of the sample before */
+    bicycle_with_accelerometer_population_real age;  /* [s] time since the last usable sample */
+    bicycle_with_accelerometer_population_real started; /* [-] 1 once a sample was used; 0 again while the scales hide the dynamics */
+} bicycle_with_accelerometer_population_state;
+
+typedef struct bicycle_with_accelerometer_population_sample {
+    bicycle_with_accelerometer_population_real dt;   /* [s] time since the sample before */
+    bicycle_with_accelerometer_population_real input; /* [rad] road-wheel steer angle */
+    bicycle_with_accelerometer_population_real U;    /* [m/s] forward speed */
+    bicycle_with_accelerometer_population_real measured; /* [rad/s] measured yaw rate */
+    bicycle_with_accelerometer_population_real ay_measured; /* [m/s^2] measured lateral acceleration */
+} bicycle_with_accelerometer_population_sample;
+
+typedef struct bicycle_with_accelerometer_population_output {
+    bicycle_with_accelerometer_population_real estimate; /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
+    bicycle_with_accelerometer_population_real variance; /* [-] variance of ln K */
+    bicycle_with_accelerometer_population_real predicted; /* [rad/s] yaw rate predicted before the measurement */
+    bicycle_with_accelerometer_population_real innovation; /* [rad/s] measured minus predicted; 0 without a measurement */
+    bicycle_with_accelerometer_population_real innovation_variance; /* [(rad/s)^2] variance of the innovation */
+    bicycle_with_accelerometer_population_real information_gained; /* [-] information gained about ln K so far */
+    bicycle_with_accelerometer_population_real pi1_now; /* [-] a/L, position of the centre of gravity */
+    bicycle_with_accelerometer_population_real eta_now; /* [-] rear over front cornering coefficient; > 1 understeers */
+    bicycle_with_accelerometer_population_real rho_now; /* [-] Iz/(m a b), yaw inertia ratio */
+    bicycle_with_accelerometer_population_real grip_now; /* [m/s^2] mu g, greatest lateral acceleration */
+    bicycle_with_accelerometer_population_real place_now; /* [-] accelerometer behind the front axle over L */
+    bicycle_with_accelerometer_population_real bank_now; /* [m/s^2] lateral part of gravity on a banked road */
+    bicycle_with_accelerometer_population_real push_now; /* [m/s^2] force of the wind per mass */
+    bicycle_with_accelerometer_population_real offset_now; /* [rad] offset of delta */
+    bicycle_with_accelerometer_population_real bias_now; /* [rad/s] bias of r */
+    bicycle_with_accelerometer_population_real noise_now; /* [(rad/s)^2] variance of the measurement */
+    bicycle_with_accelerometer_population_real disturbance_now; /* [(rad)^2] variance of the disturbance in the long run */
+} bicycle_with_accelerometer_population_output;
+
+/* The state before the first sample: the prior. */
+SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state)
+{
+    const bicycle_with_accelerometer_population_real K_prior = config->K_prior;
+    const bicycle_with_accelerometer_population_real pi1_prior = config->pi1_prior;
+    const bicycle_with_accelerometer_population_real eta_prior = config->eta_prior;
+    const bicycle_with_accelerometer_population_real rho_prior = config->rho_prior;
+    const bicycle_with_accelerometer_population_real grip_prior = config->grip_prior;
+    const bicycle_with_accelerometer_population_real place_prior = config->place_prior;
+    const bicycle_with_accelerometer_population_real bank_prior = config->bank_prior;
+    const bicycle_with_accelerometer_population_real push_prior = config->push_prior;
+    const bicycle_with_accelerometer_population_real P_prior_0 = config->P_prior[0];
+    const bicycle_with_accelerometer_population_real P_prior_1 = config->P_prior[1];
+    const bicycle_with_accelerometer_population_real P_prior_2 = config->P_prior[2];
+    const bicycle_with_accelerometer_population_real P_prior_3 = config->P_prior[3];
+    const bicycle_with_accelerometer_population_real P_prior_4 = config->P_prior[4];
+    const bicycle_with_accelerometer_population_real P_prior_5 = config->P_prior[5];
+    const bicycle_with_accelerometer_population_real P_prior_6 = config->P_prior[6];
+    const bicycle_with_accelerometer_population_real P_prior_7 = config->P_prior[7];
+    const bicycle_with_accelerometer_population_real P_prior_8 = config->P_prior[8];
+    const bicycle_with_accelerometer_population_real P_prior_9 = config->P_prior[9];
+    const bicycle_with_accelerometer_population_real P_prior_10 = config->P_prior[10];
+    const bicycle_with_accelerometer_population_real P_prior_11 = config->P_prior[11];
+    const bicycle_with_accelerometer_population_real P_prior_12 = config->P_prior[12];
+    const bicycle_with_accelerometer_population_real P_prior_13 = config->P_prior[13];
+    const bicycle_with_accelerometer_population_real P_prior_14 = config->P_prior[14];
+    const bicycle_with_accelerometer_population_real P_prior_15 = config->P_prior[15];
+    const bicycle_with_accelerometer_population_real P_prior_16 = config->P_prior[16];
+    const bicycle_with_accelerometer_population_real P_prior_17 = config->P_prior[17];
+    const bicycle_with_accelerometer_population_real P_prior_18 = config->P_prior[18];
+    const bicycle_with_accelerometer_population_real P_prior_19 = config->P_prior[19];
+    const bicycle_with_accelerometer_population_real P_prior_20 = config->P_prior[20];
+    const bicycle_with_accelerometer_population_real P_prior_21 = config->P_prior[21];
+    const bicycle_with_accelerometer_population_real P_prior_22 = config->P_prior[22];
+    const bicycle_with_accelerometer_population_real P_prior_23 = config->P_prior[23];
+    const bicycle_with_accelerometer_population_real P_prior_24 = config->P_prior[24];
+    const bicycle_with_accelerometer_population_real P_prior_25 = config->P_prior[25];
+    const bicycle_with_accelerometer_population_real P_prior_26 = config->P_prior[26];
+    const bicycle_with_accelerometer_population_real P_prior_27 = config->P_prior[27];
+    const bicycle_with_accelerometer_population_real P_prior_28 = config->P_prior[28];
+    const bicycle_with_accelerometer_population_real P_prior_29 = config->P_prior[29];
+    const bicycle_with_accelerometer_population_real P_prior_30 = config->P_prior[30];
+    const bicycle_with_accelerometer_population_real P_prior_31 = config->P_prior[31];
+    const bicycle_with_accelerometer_population_real P_prior_32 = config->P_prior[32];
+    const bicycle_with_accelerometer_population_real P_prior_33 = config->P_prior[33];
+    const bicycle_with_accelerometer_population_real P_prior_34 = config->P_prior[34];
+    const bicycle_with_accelerometer_population_real P_prior_35 = config->P_prior[35];
+    const bicycle_with_accelerometer_population_real input_scale_sd = config->input_scale_sd;
+    const bicycle_with_accelerometer_population_real input_offset_sd = config->input_offset_sd;
+    const bicycle_with_accelerometer_population_real output_bias_sd = config->output_bias_sd;
+    const bicycle_with_accelerometer_population_real v_star_sd = config->v_star_sd;
+    const bicycle_with_accelerometer_population_real r_star_sd = config->r_star_sd;
+    const bicycle_with_accelerometer_population_real disturbance_floor = config->disturbance_floor;
+    const bicycle_with_accelerometer_population_real disturbance_scale_start = config->disturbance_scale_start;
+    const bicycle_with_accelerometer_population_real ay_bias_sd = config->ay_bias_sd;
+    bicycle_with_accelerometer_population_real *const P = state->P;
+    bicycle_with_accelerometer_population_real K;
+    bicycle_with_accelerometer_population_real activity;
+    bicycle_with_accelerometer_population_real age;
+    bicycle_with_accelerometer_population_real ay_activity;
+    bicycle_with_accelerometer_population_real ay_bias;
+    bicycle_with_accelerometer_population_real ay_noise_scale;
+    bicycle_with_accelerometer_population_real bank;
+    bicycle_with_accelerometer_population_real disturbance;
+    bicycle_with_accelerometer_population_real disturbance_scale;
+    bicycle_with_accelerometer_population_real eta;
+    bicycle_with_accelerometer_population_real excitation;
+    bicycle_with_accelerometer_population_real excited;
+    bicycle_with_accelerometer_population_real grip;
+    bicycle_with_accelerometer_population_real information;
+    bicycle_with_accelerometer_population_real input_offset;
+    bicycle_with_accelerometer_population_real input_scale;
+    bicycle_with_accelerometer_population_real jump;
+    bicycle_with_accelerometer_population_real last_U;
+    bicycle_with_accelerometer_population_real last_input;
+    bicycle_with_accelerometer_population_real noise_scale;
+    bicycle_with_accelerometer_population_real output_bias;
+    bicycle_with_accelerometer_population_real pi1;
+    bicycle_with_accelerometer_population_real place;
+    bicycle_with_accelerometer_population_real push;
+    bicycle_with_accelerometer_population_real r_star;
+    bicycle_with_accelerometer_population_real r_star_plain;
+    bicycle_with_accelerometer_population_real restlessness;
+    bicycle_with_accelerometer_population_real rho;
+    bicycle_with_accelerometer_population_real settling;
+    bicycle_with_accelerometer_population_real started;
+    bicycle_with_accelerometer_population_real surprise;
+    bicycle_with_accelerometer_population_real unlearnt;
+    bicycle_with_accelerometer_population_real v_star;
+    bicycle_with_accelerometer_population_real v_star_plain;
+    bicycle_with_accelerometer_population_real validity;
+    v_star = R(0.0);
+    r_star = R(0.0);
+    v_star_plain = R(0.0);
+    r_star_plain = R(0.0);
+    disturbance = R(0.0);
+    K = K_prior;
+    pi1 = pi1_prior;
+    eta = eta_prior;
+    rho = rho_prior;
+    grip = grip_prior;
+    place = place_prior;
+    bank = bank_prior;
+    push = push_prior;
+    input_scale = R(1.0);
+    input_offset = R(0.0);
+    output_bias = R(0.0);
+    P[0] = R(0.0);
+    P[1] = R(0.0);
+    P[2] = R(0.0);
+    P[3] = R(0.0);
+    P[4] = R(0.0);
+    P[5] = R(0.0);
+    P[6] = R(0.0);
+    P[7] = R(0.0);
+    P[8] = R(0.0);
+    P[9] = R(0.0);
+    P[10] = R(0.0);
+    P[11] = R(0.0);
+    P[12] = R(0.0);
+    P[13] = R(0.0);
+    P[14] = R(0.0);
+    P[15] = R(0.0);
+    P[16] = R(0.0);
+    P[17] = R(0.0);
+    P[18] = R(0.0);
+    P[19] = R(0.0);
+    P[20] = R(0.0);
+    P[21] = R(0.0);
+    P[22] = R(0.0);
+    P[23] = R(0.0);
+    P[24] = R(0.0);
+    P[25] = R(0.0);
+    P[26] = R(0.0);
+    P[27] = R(0.0);
+    P[28] = R(0.0);
+    P[29] = R(0.0);
+    P[30] = R(0.0);
+    P[31] = R(0.0);
+    P[32] = R(0.0);
+    P[33] = R(0.0);
+    P[34] = R(0.0);
+    P[35] = R(0.0);
+    P[36] = R(0.0);
+    P[37] = R(0.0);
+    P[38] = R(0.0);
+    P[39] = R(0.0);
+    P[40] = R(0.0);
+    P[41] = R(0.0);
+    P[42] = R(0.0);
+    P[43] = R(0.0);
+    P[44] = R(0.0);
+    P[45] = R(0.0);
+    P[46] = R(0.0);
+    P[47] = R(0.0);
+    P[48] = R(0.0);
+    P[49] = R(0.0);
+    P[50] = R(0.0);
+    P[51] = R(0.0);
+    P[52] = R(0.0);
+    P[53] = R(0.0);
+    P[54] = R(0.0);
+    P[55] = R(0.0);
+    P[56] = R(0.0);
+    P[57] = R(0.0);
+    P[58] = R(0.0);
+    P[59] = R(0.0);
+    P[60] = R(0.0);
+    P[61] = R(0.0);
+    P[62] = R(0.0);
+    P[63] = R(0.0);
+    P[64] = R(0.0);
+    P[65] = R(0.0);
+    P[66] = R(0.0);
+    P[67] = R(0.0);
+    P[68] = R(0.0);
+    P[69] = R(0.0);
+    P[70] = R(0.0);
+    P[71] = R(0.0);
+    P[72] = R(0.0);
+    P[73] = R(0.0);
+    P[74] = R(0.0);
+    P[75] = R(0.0);
+    P[76] = R(0.0);
+    P[77] = R(0.0);
+    P[78] = R(0.0);
+    P[79] = R(0.0);
+    P[80] = R(0.0);
+    P[81] = R(0.0);
+    P[82] = R(0.0);
+    P[83] = R(0.0);
+    P[84] = R(0.0);
+    P[85] = R(0.0);
+    P[86] = R(0.0);
+    P[87] = R(0.0);
+    P[88] = R(0.0);
+    P[89] = R(0.0);
+    P[90] = R(0.0);
+    P[91] = R(0.0);
+    P[92] = R(0.0);
+    P[93] = R(0.0);
+    P[94] = R(0.0);
+    P[95] = R(0.0);
+    P[96] = R(0.0);
+    P[97] = R(0.0);
+    P[98] = R(0.0);
+    P[99] = R(0.0);
+    P[100] = R(0.0);
+    P[101] = R(0.0);
+    P[102] = R(0.0);
+    P[103] = R(0.0);
+    P[104] = R(0.0);
+    P[105] = R(0.0);
+    P[106] = R(0.0);
+    P[107] = R(0.0);
+    P[108] = R(0.0);
+    P[109] = R(0.0);
+    P[110] = R(0.0);
+    P[111] = R(0.0);
+    P[112] = R(0.0);
+    P[113] = R(0.0);
+    P[114] = R(0.0);
+    P[115] = R(0.0);
+    P[116] = R(0.0);
+    P[117] = R(0.0);
+    P[118] = R(0.0);
+    P[119] = R(0.0);
+    P[0] = (v_star_sd*v_star_sd);
+    P[15] = (r_star_sd*r_star_sd);
+    P[110] = (input_scale_sd*input_scale_sd);
+    P[114] = (input_offset_sd*input_offset_sd);
+    P[117] = (output_bias_sd*output_bias_sd);
+    P[119] = (ay_bias_sd*ay_bias_sd);
+    P[42] = P_prior_0;
+    P[43] = P_prior_1;
+    P[44] = P_prior_2;
+    P[45] = P_prior_3;
+    P[46] = P_prior_4;
+    P[47] = P_prior_5;
+    P[48] = P_prior_6;
+    P[49] = P_prior_7;
+    P[54] = P_prior_8;
+    P[55] = P_prior_9;
+    P[56] = P_prior_10;
+    P[57] = P_prior_11;
+    P[58] = P_prior_12;
+    P[59] = P_prior_13;
+    P[60] = P_prior_14;
+    P[65] = P_prior_15;
+    P[66] = P_prior_16;
+    P[67] = P_prior_17;
+    P[68] = P_prior_18;
+    P[69] = P_prior_19;
+    P[70] = P_prior_20;
+    P[75] = P_prior_21;
+    P[76] = P_prior_22;
+    P[77] = P_prior_23;
+    P[78] = P_prior_24;
+    P[79] = P_prior_25;
+    P[84] = P_prior_26;
+    P[85] = P_prior_27;
+    P[86] = P_prior_28;
+    P[87] = P_prior_29;
+    P[92] = P_prior_30;
+    P[93] = P_prior_31;
+    P[94] = P_prior_32;
+    P[99] = P_prior_33;
+    P[100] = P_prior_34;
+    P[105] = P_prior_35;
+    noise_scale = R(1.0);
+    surprise = R(1.0);
+    settling = R(1.0);
+    disturbance_scale = disturbance_scale_start;
+    ay_noise_scale = R(1.0);
+    P[29] = disturbance_scale*(disturbance_floor*disturbance_floor);
+    restlessness = R(0.0);
+    jump = R(0.0);
+    activity = R(0.0);
+    excitation = R(0.0);
+    excited = R(0.0);
+    unlearnt = R(0.0);
+    validity = R(0.0);
+    information = R(0.0);
+    last_input = R(0.0);
+    age = R(0.0);
+    started = R(0.0);
+    last_U = R(0.0);
+    ay_bias = R(0.0);
+    ay_activity = R(0.0);
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->pi1 = pi1;
+    state->eta = eta;
+    state->rho = rho;
+    state->grip = grip;
+    state->place = place;
+    state->bank = bank;
+    state->push = push;
+    state->input_scale = input_scale;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->ay_bias = ay_bias;
+    state->ay_activity = ay_activity;
+    state->ay_noise_scale = ay_noise_scale;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->unlearnt = unlearnt;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+}
+
+/* What the step and the batch loop do with one sample. */
+SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state,
+                                     const bicycle_with_accelerometer_population_sample *sample, bicycle_with_accelerometer_population_output *output)
+{
+    const bicycle_with_accelerometer_population_real L = config->L;
+    const bicycle_with_accelerometer_population_real K_prior = config->K_prior;
+    const bicycle_with_accelerometer_population_real bank_prior = config->bank_prior;
+    const bicycle_with_accelerometer_population_real push_prior = config->push_prior;
+    const bicycle_with_accelerometer_population_real P_prior_33 = config->P_prior[33];
+    const bicycle_with_accelerometer_population_real P_prior_35 = config->P_prior[35];
+    const bicycle_with_accelerometer_population_real prior_information = config->prior_information;
+    const bicycle_with_accelerometer_population_real K_low = config->K_low;
+    const bicycle_with_accelerometer_population_real K_high = config->K_high;
+    const bicycle_with_accelerometer_population_real pi1_low = config->pi1_low;
+    const bicycle_with_accelerometer_population_real pi1_high = config->pi1_high;
+    const bicycle_with_accelerometer_population_real eta_low = config->eta_low;
+    const bicycle_with_accelerometer_population_real eta_high = config->eta_high;
+    const bicycle_with_accelerometer_population_real rho_low = config->rho_low;
+    const bicycle_with_accelerometer_population_real rho_high = config->rho_high;
+    const bicycle_with_accelerometer_population_real grip_low = config->grip_low;
+    const bicycle_with_accelerometer_population_real grip_high = config->grip_high;
+    const bicycle_with_accelerometer_population_real place_low = config->place_low;
+    const bicycle_with_accelerometer_population_real place_high = config->place_high;
+    const bicycle_with_accelerometer_population_real bank_low = config->bank_low;
+    const bicycle_with_accelerometer_population_real bank_high = config->bank_high;
+    const bicycle_with_accelerometer_population_real push_low = config->push_low;
+    const bicycle_with_accelerometer_population_real push_high = config->push_high;
+    const bicycle_with_accelerometer_population_real input_scale_low = config->input_scale_low;
+    const bicycle_with_accelerometer_population_real input_scale_high = config->input_scale_high;
+    const bicycle_with_accelerometer_population_real v_star_sd = config->v_star_sd;
+    const bicycle_with_accelerometer_population_real r_star_sd = config->r_star_sd;
+    const bicycle_with_accelerometer_population_real noise_variance = config->noise_variance;
+    const bicycle_with_accelerometer_population_real drift = config->drift;
+    const bicycle_with_accelerometer_population_real idle_drift = config->idle_drift;
+    const bicycle_with_accelerometer_population_real jump_drift = config->jump_drift;
+    const bicycle_with_accelerometer_population_real bias_drift = config->bias_drift;
+    const bicycle_with_accelerometer_population_real timing_error = config->timing_error;
+    const bicycle_with_accelerometer_population_real companion_rate = config->companion_rate;
+    const bicycle_with_accelerometer_population_real structure_share = config->structure_share;
+    const bicycle_with_accelerometer_population_real structure_time = config->structure_time;
+    const bicycle_with_accelerometer_population_real activity_rate = config->activity_rate;
+    const bicycle_with_accelerometer_population_real disturbance_floor = config->disturbance_floor;
+    const bicycle_with_accelerometer_population_real disturbance_share = config->disturbance_share;
+    const bicycle_with_accelerometer_population_real disturbance_rate = config->disturbance_rate;
+    const bicycle_with_accelerometer_population_real disturbance_adapt = config->disturbance_adapt;
+    const bicycle_with_accelerometer_population_real disturbance_scale_low = config->disturbance_scale_low;
+    const bicycle_with_accelerometer_population_real disturbance_scale_high = config->disturbance_scale_high;
+    const bicycle_with_accelerometer_population_real noise_adapt = config->noise_adapt;
+    const bicycle_with_accelerometer_population_real noise_scale_low = config->noise_scale_low;
+    const bicycle_with_accelerometer_population_real noise_scale_high = config->noise_scale_high;
+    const bicycle_with_accelerometer_population_real excitation_ratio = config->excitation_ratio;
+    const bicycle_with_accelerometer_population_real excitation_rate = config->excitation_rate;
+    const bicycle_with_accelerometer_population_real seldom = config->seldom;
+    const bicycle_with_accelerometer_population_real surprise_rate = config->surprise_rate;
+    const bicycle_with_accelerometer_population_real jump_ratio = config->jump_ratio;
+    const bicycle_with_accelerometer_population_real surprise_limit = config->surprise_limit;
+    const bicycle_with_accelerometer_population_real observed_least = config->observed_least;
+    const bicycle_with_accelerometer_population_real outlier_ratio = config->outlier_ratio;
+    const bicycle_with_accelerometer_population_real gap = config->gap;
+    const bicycle_with_accelerometer_population_real input_limit = config->input_limit;
+    const bicycle_with_accelerometer_population_real output_limit = config->output_limit;
+    const bicycle_with_accelerometer_population_real signal_limit = config->signal_limit;
+    const bicycle_with_accelerometer_population_real validity_limit = config->validity_limit;
+    const bicycle_with_accelerometer_population_real validity_rate = config->validity_rate;
+    const bicycle_with_accelerometer_population_real bank_rate = config->bank_rate;
+    const bicycle_with_accelerometer_population_real push_rate = config->push_rate;
+    const bicycle_with_accelerometer_population_real ay_bias_drift = config->ay_bias_drift;
+    const bicycle_with_accelerometer_population_real ay_variance = config->ay_variance;
+    const bicycle_with_accelerometer_population_real ay_share = config->ay_share;
+    const bicycle_with_accelerometer_population_real ay_time = config->ay_time;
+    const bicycle_with_accelerometer_population_real ay_noise_scale_low = config->ay_noise_scale_low;
+    const bicycle_with_accelerometer_population_real ay_noise_scale_high = config->ay_noise_scale_high;
+    const bicycle_with_accelerometer_population_real ay_limit = config->ay_limit;
+    const bicycle_with_accelerometer_population_real dt = sample->dt;
+    const bicycle_with_accelerometer_population_real input = sample->input;
+    const bicycle_with_accelerometer_population_real U = sample->U;
+    const bicycle_with_accelerometer_population_real measured = sample->measured;
+    const bicycle_with_accelerometer_population_real ay_measured = sample->ay_measured;
+    bicycle_with_accelerometer_population_real *const P = state->P;
+    bicycle_with_accelerometer_population_real v_star = state->v_star;
+    bicycle_with_accelerometer_population_real r_star = state->r_star;
+    bicycle_with_accelerometer_population_real v_star_plain = state->v_star_plain;
+    bicycle_with_accelerometer_population_real r_star_plain = state->r_star_plain;
+    bicycle_with_accelerometer_population_real disturbance = state->disturbance;
+    bicycle_with_accelerometer_population_real K = state->K;
+    bicycle_with_accelerometer_population_real pi1 = state->pi1;
+    bicycle_with_accelerometer_population_real eta = state->eta;
+    bicycle_with_accelerometer_population_real rho = state->rho;
+    bicycle_with_accelerometer_population_real grip = state->grip;
+    bicycle_with_accelerometer_population_real place = state->place;
+    bicycle_with_accelerometer_population_real bank = state->bank;
+    bicycle_with_accelerometer_population_real push = state->push;
+    bicycle_with_accelerometer_population_real input_scale = state->input_scale;
+    bicycle_with_accelerometer_population_real input_offset = state->input_offset;
+    bicycle_with_accelerometer_population_real output_bias = state->output_bias;
+    bicycle_with_accelerometer_population_real ay_bias = state->ay_bias;
+    bicycle_with_accelerometer_population_real ay_activity = state->ay_activity;
+    bicycle_with_accelerometer_population_real ay_noise_scale = state->ay_noise_scale;
+    bicycle_with_accelerometer_population_real noise_scale = state->noise_scale;
+    bicycle_with_accelerometer_population_real disturbance_scale = state->disturbance_scale;
+    bicycle_with_accelerometer_population_real activity = state->activity;
+    bicycle_with_accelerometer_population_real settling = state->settling;
+    bicycle_with_accelerometer_population_real restlessness = state->restlessness;
+    bicycle_with_accelerometer_population_real jump = state->jump;
+    bicycle_with_accelerometer_population_real surprise = state->surprise;
+    bicycle_with_accelerometer_population_real excitation = state->excitation;
+    bicycle_with_accelerometer_population_real excited = state->excited;
+    bicycle_with_accelerometer_population_real unlearnt = state->unlearnt;
+    bicycle_with_accelerometer_population_real validity = state->validity;
+    bicycle_with_accelerometer_population_real information = state->information;
+    bicycle_with_accelerometer_population_real last_input = state->last_input;
+    bicycle_with_accelerometer_population_real last_U = state->last_U;
+    bicycle_with_accelerometer_population_real age = state->age;
+    bicycle_with_accelerometer_population_real started = state->started;
+    bicycle_with_accelerometer_population_real U_now = R(0.0);
+    bicycle_with_accelerometer_population_real anew = R(0.0);
+    bicycle_with_accelerometer_population_real ay_inv_spread = R(0.0);
+    bicycle_with_accelerometer_population_real bank_now = R(0.0);
+    bicycle_with_accelerometer_population_real bias_now = R(0.0);
+    bicycle_with_accelerometer_population_real diffusion = R(0.0);
+    bicycle_with_accelerometer_population_real disturbance_now = R(0.0);
+    bicycle_with_accelerometer_population_real estimate = R(0.0);
+    bicycle_with_accelerometer_population_real eta_now = R(0.0);
+    bicycle_with_accelerometer_population_real grip_now = R(0.0);
+    bicycle_with_accelerometer_population_real information_gained = R(0.0);
+    bicycle_with_accelerometer_population_real innovation = R(0.0);
+    bicycle_with_accelerometer_population_real innovation_variance = R(0.0);
+    bicycle_with_accelerometer_population_real inv_spread = R(0.0);
+    bicycle_with_accelerometer_population_real move = R(0.0);
+    bicycle_with_accelerometer_population_real noise_now = R(0.0);
+    bicycle_with_accelerometer_population_real offset_now = R(0.0);
+    bicycle_with_accelerometer_population_real pi1_now = R(0.0);
+    bicycle_with_accelerometer_population_real place_now = R(0.0);
+    bicycle_with_accelerometer_population_real predicted = R(0.0);
+    bicycle_with_accelerometer_population_real push_now = R(0.0);
+    bicycle_with_accelerometer_population_real rho_now = R(0.0);
+    bicycle_with_accelerometer_population_real status = R(0.0);
+    bicycle_with_accelerometer_population_real u_now = R(0.0);
+    bicycle_with_accelerometer_population_real usable = R(0.0);
+    bicycle_with_accelerometer_population_real variance = R(0.0);
+
+    status = R(0.0);
+    predicted = output_bias;
+    innovation = R(0.0);
+    innovation_variance = noise_scale*noise_variance;
+    noise_now = innovation_variance;
+    disturbance_now = disturbance_scale*(disturbance_floor*disturbance_floor);
+    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
+        usable = R(1.0);
+        anew = R(0.0); /* 1 where the dynamic state starts anew */
+        age = age + dt;
+        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
+            u_now = input;
+        } else {
+            u_now = last_input;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
+            U_now = U;
+        } else {
+            U_now = last_U;
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+            usable = R(0.0);
+            status = R(4.0);
+        }
+        if (started < R(0.5)) { /* no sample before it could be used */
+            anew = R(1.0);
+            last_input = u_now;
+            last_U = U_now;
+        }
+        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
+            status = R(5.0);
+            anew = R(1.0);
+        }
+        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = R(1.0);
+            started = R(0.0);
+            usable = R(0.0);
+            status = R(6.0);
+        }
+        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
+            excitation = R(0.0);
+            excited = R(0.0);
+            jump = R(0.0);
+            surprise = R(1.0);
+        }
+        if (anew > R(0.5)) { /* nothing is known of them */
+            P[0] = R(0.0);
+            P[1] = R(0.0);
+            P[2] = R(0.0);
+            P[3] = R(0.0);
+            P[4] = R(0.0);
+            P[5] = R(0.0);
+            P[6] = R(0.0);
+            P[7] = R(0.0);
+            P[8] = R(0.0);
+            P[9] = R(0.0);
+            P[10] = R(0.0);
+            P[11] = R(0.0);
+            P[12] = R(0.0);
+            P[13] = R(0.0);
+            P[14] = R(0.0);
+            P[15] = R(0.0);
+            P[16] = R(0.0);
+            P[17] = R(0.0);
+            P[18] = R(0.0);
+            P[19] = R(0.0);
+            P[20] = R(0.0);
+            P[21] = R(0.0);
+            P[22] = R(0.0);
+            P[23] = R(0.0);
+            P[24] = R(0.0);
+            P[25] = R(0.0);
+            P[26] = R(0.0);
+            P[27] = R(0.0);
+            P[28] = R(0.0);
+            P[29] = R(0.0);
+            P[30] = R(0.0);
+            P[31] = R(0.0);
+            P[32] = R(0.0);
+            P[33] = R(0.0);
+            P[34] = R(0.0);
+            P[35] = R(0.0);
+            P[36] = R(0.0);
+            P[37] = R(0.0);
+            P[38] = R(0.0);
+            P[39] = R(0.0);
+            P[40] = R(0.0);
+            P[41] = R(0.0);
+            P[0] = (v_star_sd*v_star_sd);
+            P[15] = (r_star_sd*r_star_sd);
+            P[29] = disturbance_scale*(disturbance_floor*disturbance_floor);
+            v_star = R(0.0);
+            r_star = R(0.0);
+            v_star_plain = R(0.0);
+            r_star_plain = R(0.0);
+            disturbance = R(0.0);
+        }
+        const bicycle_with_accelerometer_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const bicycle_with_accelerometer_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
+        const bicycle_with_accelerometer_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
+        const bicycle_with_accelerometer_population_real inv_U = (R(1.0)/at_U);
+        const bicycle_with_accelerometer_population_real inv_L = (R(1.0)/L);
+        const bicycle_with_accelerometer_population_real inv_dt = (R(1.0)/dt);
+        const bicycle_with_accelerometer_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
+        const bicycle_with_accelerometer_population_real inv_output_scale = L*inv_U;
+        const bicycle_with_accelerometer_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
+        const bicycle_with_accelerometer_population_real h = at_U*inv_L*span; /* dimensionless time step */
+        const bicycle_with_accelerometer_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
+        v_star = ratio_v_star*v_star;
+        v_star_plain = ratio_v_star*v_star_plain;
+        const bicycle_with_accelerometer_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
+        r_star = r_star*ratio_r_star;
+        r_star_plain = r_star_plain*ratio_r_star;
+        const bicycle_with_accelerometer_population_real steer = R(0.5)*input_scale*(last_input + u_now); /* mean of the sample's two ends */
+        const bicycle_with_accelerometer_population_real steer_change = input_scale*(u_now - last_input);
+        const bicycle_with_accelerometer_population_real u_plain = steer; /* measured input alone [-] */
+        const bicycle_with_accelerometer_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
+        const bicycle_with_accelerometer_population_real inv0 = (R(1.0)/grip);
+        const bicycle_with_accelerometer_population_real inv1 = (R(1.0)/rho);
+        const bicycle_with_accelerometer_population_real inv2 = (R(1.0)/(pi1 - R(1.0)));
+        const bicycle_with_accelerometer_population_real s0 = v_star + pi1*r_star;
+        const bicycle_with_accelerometer_population_real s1 = K*inv0*inv2*inv_L;
+        const bicycle_with_accelerometer_population_real s2 = v_star_plain + pi1*r_star_plain;
+        const bicycle_with_accelerometer_population_real s3 = eta*s1;
+        const bicycle_with_accelerometer_population_real load0 = s1*(s0 - u); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real load1 = s1*(s2 - u_plain); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real load2 = s3*(s0 - r_star); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real load3 = s3*(s2 - r_star_plain); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real size0 = (((-load0)) > (load0) ? (-load0) : load0);
+        const bicycle_with_accelerometer_population_real over0 = R(1.0) + size0*(R(1.0) + R(0.7)*size0);
+        const bicycle_with_accelerometer_population_real part0 = (R(1.0)/(R(1.0) + over0*size0)); /* force over load */
+        const bicycle_with_accelerometer_population_real size1 = (((-load1)) > (load1) ? (-load1) : load1);
+        const bicycle_with_accelerometer_population_real over1 = R(1.0) + size1*(R(1.0) + R(0.7)*size1);
+        const bicycle_with_accelerometer_population_real part1 = (R(1.0)/(R(1.0) + over1*size1));
+        const bicycle_with_accelerometer_population_real size2 = (((-load2)) > (load2) ? (-load2) : load2);
+        const bicycle_with_accelerometer_population_real over2 = R(1.0) + size2*(R(1.0) + R(0.7)*size2);
+        const bicycle_with_accelerometer_population_real part2 = (R(1.0)/(R(1.0) + over2*size2));
+        const bicycle_with_accelerometer_population_real size3 = (((-load3)) > (load3) ? (-load3) : load3);
+        const bicycle_with_accelerometer_population_real over3 = R(1.0) + size3*(R(1.0) + R(0.7)*size3);
+        const bicycle_with_accelerometer_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
+        const bicycle_with_accelerometer_population_real c0 = (inv_U*inv_U);
+        const bicycle_with_accelerometer_population_real c1 = (at_U*at_U);
+        const bicycle_with_accelerometer_population_real c2 = L*bank + L*push;
+        const bicycle_with_accelerometer_population_real c3 = load0*over0*part0;
+        const bicycle_with_accelerometer_population_real c4 = load2*over2*part2;
+        const bicycle_with_accelerometer_population_real c5 = L*c0;
+        const bicycle_with_accelerometer_population_real c6 = c5*grip;
+        const bicycle_with_accelerometer_population_real c7 = c6*inv1;
+        const bicycle_with_accelerometer_population_real c8 = load1*over1*part1;
+        const bicycle_with_accelerometer_population_real c9 = load3*over3*part3;
+        const bicycle_with_accelerometer_population_real c10 = c5*(load1*over1*part1*pi1 - c8 - c9*pi1);
+        const bicycle_with_accelerometer_population_real c11 = inv1*(c8 - c9);
+        const bicycle_with_accelerometer_population_real c12 = c11*c6;
+        const bicycle_with_accelerometer_population_real c13 = (part0*part0);
+        const bicycle_with_accelerometer_population_real c14 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
+        const bicycle_with_accelerometer_population_real c15 = K*inv0*inv_L;
+        const bicycle_with_accelerometer_population_real c16 = c15*inv2;
+        const bicycle_with_accelerometer_population_real c17 = c13*c14*c16;
+        const bicycle_with_accelerometer_population_real c18 = c17*pi1;
+        const bicycle_with_accelerometer_population_real c19 = (-c18);
+        const bicycle_with_accelerometer_population_real c20 = eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const bicycle_with_accelerometer_population_real c21 = c16*c20;
+        const bicycle_with_accelerometer_population_real c22 = R(0.16666666666666666)*h;
+        const bicycle_with_accelerometer_population_real c23 = c15*c20;
+        const bicycle_with_accelerometer_population_real c24 = c22*c7;
+        const bicycle_with_accelerometer_population_real c25 = inv2*inv_L;
+        const bicycle_with_accelerometer_population_real c26 = c25*inv0;
+        const bicycle_with_accelerometer_population_real c27 = v_star_plain + pi1*r_star_plain;
+        const bicycle_with_accelerometer_population_real c28 = c27 - u_plain;
+        const bicycle_with_accelerometer_population_real c29 = (part1*part1);
+        const bicycle_with_accelerometer_population_real c30 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
+        const bicycle_with_accelerometer_population_real c31 = c29*c30;
+        const bicycle_with_accelerometer_population_real c32 = c28*c31;
+        const bicycle_with_accelerometer_population_real c33 = c26*c32;
+        const bicycle_with_accelerometer_population_real c34 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
+        const bicycle_with_accelerometer_population_real c35 = eta*(c27 - r_star_plain);
+        const bicycle_with_accelerometer_population_real c36 = c34*c35;
+        const bicycle_with_accelerometer_population_real c37 = c26*c36;
+        const bicycle_with_accelerometer_population_real c38 = c15*(inv2*inv2);
+        const bicycle_with_accelerometer_population_real c39 = K*inv0*inv2*inv_L*r_star_plain - c28*c38;
+        const bicycle_with_accelerometer_population_real c40 = c31*c39;
+        const bicycle_with_accelerometer_population_real c41 = c34*(K*eta*inv0*inv2*inv_L*r_star_plain - c35*c38);
+        const bicycle_with_accelerometer_population_real c42 = K*c25;
+        const bicycle_with_accelerometer_population_real c43 = c42*c5;
+        const bicycle_with_accelerometer_population_real c44 = c43*inv1;
+        const bicycle_with_accelerometer_population_real c45 = c42*(inv0*inv0);
+        const bicycle_with_accelerometer_population_real c46 = c32*c45;
+        const bicycle_with_accelerometer_population_real c47 = c36*c45;
+        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*r_star - c2)) - c6*(load0*over0*part0*pi1 - c3 - c4*pi1); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_r_star = c7*(c3 - c4); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*r_star_plain - c2)) - c10*grip;
+        const bicycle_with_accelerometer_population_real f_r_star_plain = c12;
+        const bicycle_with_accelerometer_population_real J_00 = (-c22*c6*((-c17) - c19 - c21*pi1));
+        const bicycle_with_accelerometer_population_real J_01 = c22*((-c0*c1) - c6*(K*c13*c14*inv0*inv2*inv_L*(pi1*pi1) - c18 - c23*pi1));
+        const bicycle_with_accelerometer_population_real J_10 = c24*(c17 - c21);
+        const bicycle_with_accelerometer_population_real J_11 = c24*((-c19) - c23);
+        const bicycle_with_accelerometer_population_real f_v_star_K = (-K*c6*(c28*c29*c30*inv0*inv2*inv_L*pi1 - c33 - c37*pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_K = K*c7*(c33 - c37);
+        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(c8 + c29*c30*c39*pi1 - c40 - c9 - c41*pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_pi1 = c7*(c40 - c41);
+        const bicycle_with_accelerometer_population_real f_v_star_eta = c36*c43*pi1;
+        const bicycle_with_accelerometer_population_real f_r_star_eta = (-c36*c44);
+        const bicycle_with_accelerometer_population_real f_v_star_rho = R(0.0);
+        const bicycle_with_accelerometer_population_real f_r_star_rho = (-c12);
+        const bicycle_with_accelerometer_population_real f_v_star_grip = grip*((-c10) - c6*(c46 + c47*pi1 - c46*pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_grip = grip*(c11*c5 + c7*(c47 - c46));
+        const bicycle_with_accelerometer_population_real f_v_star_place = R(0.0);
+        const bicycle_with_accelerometer_population_real f_r_star_place = R(0.0);
+        const bicycle_with_accelerometer_population_real f_v_star_bank = c5;
+        const bicycle_with_accelerometer_population_real f_r_star_bank = R(0.0);
+        const bicycle_with_accelerometer_population_real f_v_star_push = c5;
+        const bicycle_with_accelerometer_population_real f_r_star_push = R(0.0);
+        const bicycle_with_accelerometer_population_real f_v_star_u = (-c6*(K*c29*c30*inv0*inv2*inv_L - c16*c31*pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_u = (-c31*c44);
+        const bicycle_with_accelerometer_population_real p0 = J_00*J_11 - J_01*J_10;
+        const bicycle_with_accelerometer_population_real p1 = (-J_00) - J_11;
+        const bicycle_with_accelerometer_population_real n0 = R(1.0) - R(1.5)*p0;
+        const bicycle_with_accelerometer_population_real n1 = (-R(2.0)) - R(1.5)*p1;
+        const bicycle_with_accelerometer_population_real i_det = (R(1.0)/((n0*n0) + p0*(n1*n1) - n0*n1*p1)); /* det N > 0 for every real J */
+        const bicycle_with_accelerometer_population_real i0 = i_det*(n0 - n1*p1);
+        const bicycle_with_accelerometer_population_real i1 = (-i_det*n1);
+        const bicycle_with_accelerometer_population_real E0 = i0 - i1*p0; /* half a step */
+        const bicycle_with_accelerometer_population_real E1 = i0 + i1 - i1*p1;
+        const bicycle_with_accelerometer_population_real H0 = R(0.5)*h*i0 + R(0.25)*h*i1*p0; /* change per rate over half a step */
+        const bicycle_with_accelerometer_population_real H1 = R(0.5)*h*i1 + R(0.25)*h*i1*p1 - R(0.25)*h*i0;
+        const bicycle_with_accelerometer_population_real m0 = (E0*E0) - p0*(E1*E1);
+        const bicycle_with_accelerometer_population_real m1 = R(2.0)*E0*E1 - p1*(E1*E1);
+        const bicycle_with_accelerometer_population_real g0 = H0*(R(1.0) + E0) - E1*H1*p0;
+        const bicycle_with_accelerometer_population_real g1 = E1*H0 + H1*(R(1.0) + E0) - E1*H1*p1;
+        const bicycle_with_accelerometer_population_real wi0 = (-p0*(R(0.4375) + R(0.1875)*p1));
+        const bicycle_with_accelerometer_population_real wi1 = R(0.1875)*p0 - R(0.5) - p1*(R(0.4375) + R(0.1875)*p1);
+        const bicycle_with_accelerometer_population_real wh0 = i0*wi0 - i1*p0*wi1;
+        const bicycle_with_accelerometer_population_real wh1 = i0*wi1 + i1*wi0 - i1*p1*wi1;
+        const bicycle_with_accelerometer_population_real w0 = i0*wh0 - i1*p0*wh1; /* W/h in powers of J */
+        const bicycle_with_accelerometer_population_real w1 = i0*wh1 + i1*wh0 - i1*p1*wh1;
+        const bicycle_with_accelerometer_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
+        const bicycle_with_accelerometer_population_real M_01 = J_01*m1;
+        const bicycle_with_accelerometer_population_real M_10 = J_10*m1;
+        const bicycle_with_accelerometer_population_real M_11 = m0 + J_11*m1;
+        const bicycle_with_accelerometer_population_real G_00 = g0 + J_00*g1; /* change per rate */
+        const bicycle_with_accelerometer_population_real G_01 = J_01*g1;
+        const bicycle_with_accelerometer_population_real G_10 = J_10*g1;
+        const bicycle_with_accelerometer_population_real G_11 = g0 + J_11*g1;
+        const bicycle_with_accelerometer_population_real ramp = h*steer_change;
+        const bicycle_with_accelerometer_population_real ramp_0 = ramp*w0;
+        const bicycle_with_accelerometer_population_real ramp_1 = ramp*w1;
+        const bicycle_with_accelerometer_population_real slope1_v_star = J_00*f_v_star_u + J_01*f_r_star_u;
+        const bicycle_with_accelerometer_population_real slope1_r_star = J_10*f_v_star_u + J_11*f_r_star_u;
+        const bicycle_with_accelerometer_population_real rise_v_star = f_v_star_u*ramp_0 + ramp_1*slope1_v_star; /* the input rises or falls in a straight line [-] */
+        const bicycle_with_accelerometer_population_real rise_r_star = f_r_star_u*ramp_0 + ramp_1*slope1_r_star;
+        const bicycle_with_accelerometer_population_real d_v_star = rise_v_star + G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
+        const bicycle_with_accelerometer_population_real d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+        const bicycle_with_accelerometer_population_real d_v_star_plain = rise_v_star + G_00*f_v_star_plain + G_01*f_r_star_plain;
+        const bicycle_with_accelerometer_population_real d_r_star_plain = rise_r_star + G_10*f_v_star_plain + G_11*f_r_star_plain;
+        const bicycle_with_accelerometer_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
+        const bicycle_with_accelerometer_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
+        const bicycle_with_accelerometer_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
+        const bicycle_with_accelerometer_population_real F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1;
+        const bicycle_with_accelerometer_population_real F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta;
+        const bicycle_with_accelerometer_population_real F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta;
+        const bicycle_with_accelerometer_population_real F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho;
+        const bicycle_with_accelerometer_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
+        const bicycle_with_accelerometer_population_real F_v_star_grip = G_00*f_v_star_grip + G_01*f_r_star_grip;
+        const bicycle_with_accelerometer_population_real F_r_star_grip = G_10*f_v_star_grip + G_11*f_r_star_grip;
+        const bicycle_with_accelerometer_population_real F_v_star_place = G_00*f_v_star_place + G_01*f_r_star_place;
+        const bicycle_with_accelerometer_population_real F_r_star_place = G_10*f_v_star_place + G_11*f_r_star_place;
+        const bicycle_with_accelerometer_population_real F_v_star_bank = G_00*f_v_star_bank + G_01*f_r_star_bank;
+        const bicycle_with_accelerometer_population_real F_r_star_bank = G_10*f_v_star_bank + G_11*f_r_star_bank;
+        const bicycle_with_accelerometer_population_real F_v_star_push = G_00*f_v_star_push + G_01*f_r_star_push;
+        const bicycle_with_accelerometer_population_real F_r_star_push = G_10*f_v_star_push + G_11*f_r_star_push;
+        const bicycle_with_accelerometer_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
+        const bicycle_with_accelerometer_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
+        const bicycle_with_accelerometer_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
+        const bicycle_with_accelerometer_population_real keep_bank = ((R(0.0)) > (R(1.0) - bank_rate*dt) ? R(0.0) : R(1.0) - bank_rate*dt);
+        const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - dt*push_rate) ? R(0.0) : R(1.0) - dt*push_rate);
+        const bicycle_with_accelerometer_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        move = R(0.0);
+        diffusion = drift;
+        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            const bicycle_with_accelerometer_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+            const bicycle_with_accelerometer_population_real keep = R(1.0) - lost;
+            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
+            P[3] = P[3]*keep;
+            P[17] = P[17]*keep;
+            P[30] = P[30]*keep;
+            P[42] = P[42]*keep;
+            P[43] = P[43]*keep;
+            P[44] = P[44]*keep;
+            P[45] = P[45]*keep;
+            P[46] = P[46]*keep;
+            P[47] = P[47]*keep;
+            P[48] = P[48]*keep;
+            P[49] = P[49]*keep;
+            P[50] = P[50]*keep;
+            P[51] = P[51]*keep;
+            P[52] = P[52]*keep;
+            P[53] = P[53]*keep;
+            P[42] = P[42]*keep;
+            const bicycle_with_accelerometer_population_real p = K - K_prior;
+            const bicycle_with_accelerometer_population_real q = K + K_prior;
+            const bicycle_with_accelerometer_population_real pp = (p*p);
+            const bicycle_with_accelerometer_population_real qq = (q*q);
+            const bicycle_with_accelerometer_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
+            move = (-away*lost);
+        }
+        const bicycle_with_accelerometer_population_real F_v_star_v_star = M_00*ratio_v_star;
+        const bicycle_with_accelerometer_population_real F_v_star_r_star = M_01*ratio_r_star;
+        const bicycle_with_accelerometer_population_real F_r_star_v_star = M_10*ratio_v_star;
+        const bicycle_with_accelerometer_population_real F_r_star_r_star = M_11*ratio_r_star;
+        const bicycle_with_accelerometer_population_real PW_0 = P[12] + P[2] + P[11]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_bank*P[9] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4]) + (F_v_star_place*P[8] + F_v_star_push*P[10] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
+        const bicycle_with_accelerometer_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_bank*P[9] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4]) + (F_r_star_place*P[8] + F_r_star_push*P[10] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
+        const bicycle_with_accelerometer_population_real PW_1 = P[16] + P[26] + P[25]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_1 = (F_v_star_K*P[17] + F_v_star_bank*P[23] + F_v_star_eta*P[19] + F_v_star_grip*P[21] + F_v_star_pi1*P[18]) + (F_v_star_place*P[22] + F_v_star_push*P[24] + F_v_star_r_star*P[15] + F_v_star_rho*P[20] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
+        const bicycle_with_accelerometer_population_real FP_1_1 = (F_r_star_K*P[17] + F_r_star_bank*P[23] + F_r_star_eta*P[19] + F_r_star_grip*P[21] + F_r_star_pi1*P[18]) + (F_r_star_place*P[22] + F_r_star_push*P[24] + F_r_star_r_star*P[15] + F_r_star_rho*P[20] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
+        const bicycle_with_accelerometer_population_real PW_2 = P[29] + P[39] + P[38]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_2 = (F_v_star_K*P[30] + F_v_star_bank*P[36] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31]) + (F_v_star_place*P[35] + F_v_star_push*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[33] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
+        const bicycle_with_accelerometer_population_real FP_1_2 = (F_r_star_K*P[30] + F_r_star_bank*P[36] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31]) + (F_r_star_place*P[35] + F_r_star_push*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[33] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
+        const bicycle_with_accelerometer_population_real PW_3 = P[30] + P[51] + P[50]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_3 = (F_v_star_K*P[42] + F_v_star_bank*P[48] + F_v_star_eta*P[44] + F_v_star_grip*P[46] + F_v_star_pi1*P[43]) + (F_v_star_place*P[47] + F_v_star_push*P[49] + F_v_star_r_star*P[17] + F_v_star_rho*P[45] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
+        const bicycle_with_accelerometer_population_real FP_1_3 = (F_r_star_K*P[42] + F_r_star_bank*P[48] + F_r_star_eta*P[44] + F_r_star_grip*P[46] + F_r_star_pi1*P[43]) + (F_r_star_place*P[47] + F_r_star_push*P[49] + F_r_star_r_star*P[17] + F_r_star_rho*P[45] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
+        const bicycle_with_accelerometer_population_real PW_4 = P[31] + P[62] + P[61]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_4 = (F_v_star_K*P[43] + F_v_star_bank*P[59] + F_v_star_eta*P[55] + F_v_star_grip*P[57] + F_v_star_pi1*P[54]) + (F_v_star_place*P[58] + F_v_star_push*P[60] + F_v_star_r_star*P[18] + F_v_star_rho*P[56] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
+        const bicycle_with_accelerometer_population_real FP_1_4 = (F_r_star_K*P[43] + F_r_star_bank*P[59] + F_r_star_eta*P[55] + F_r_star_grip*P[57] + F_r_star_pi1*P[54]) + (F_r_star_place*P[58] + F_r_star_push*P[60] + F_r_star_r_star*P[18] + F_r_star_rho*P[56] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
+        const bicycle_with_accelerometer_population_real PW_5 = P[32] + P[72] + P[71]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_5 = (F_v_star_K*P[44] + F_v_star_bank*P[69] + F_v_star_eta*P[65] + F_v_star_grip*P[67] + F_v_star_pi1*P[55]) + (F_v_star_place*P[68] + F_v_star_push*P[70] + F_v_star_r_star*P[19] + F_v_star_rho*P[66] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
+        const bicycle_with_accelerometer_population_real FP_1_5 = (F_r_star_K*P[44] + F_r_star_bank*P[69] + F_r_star_eta*P[65] + F_r_star_grip*P[67] + F_r_star_pi1*P[55]) + (F_r_star_place*P[68] + F_r_star_push*P[70] + F_r_star_r_star*P[19] + F_r_star_rho*P[66] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
+        const bicycle_with_accelerometer_population_real PW_6 = P[33] + P[81] + P[80]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_6 = (F_v_star_K*P[45] + F_v_star_bank*P[78] + F_v_star_eta*P[66] + F_v_star_grip*P[76] + F_v_star_pi1*P[56]) + (F_v_star_place*P[77] + F_v_star_push*P[79] + F_v_star_r_star*P[20] + F_v_star_rho*P[75] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
+        const bicycle_with_accelerometer_population_real FP_1_6 = (F_r_star_K*P[45] + F_r_star_bank*P[78] + F_r_star_eta*P[66] + F_r_star_grip*P[76] + F_r_star_pi1*P[56]) + (F_r_star_place*P[77] + F_r_star_push*P[79] + F_r_star_r_star*P[20] + F_r_star_rho*P[75] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
+        const bicycle_with_accelerometer_population_real PW_7 = P[34] + P[89] + P[88]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_7 = (F_v_star_K*P[46] + F_v_star_bank*P[86] + F_v_star_eta*P[67] + F_v_star_grip*P[84] + F_v_star_pi1*P[57]) + (F_v_star_place*P[85] + F_v_star_push*P[87] + F_v_star_r_star*P[21] + F_v_star_rho*P[76] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
+        const bicycle_with_accelerometer_population_real FP_1_7 = (F_r_star_K*P[46] + F_r_star_bank*P[86] + F_r_star_eta*P[67] + F_r_star_grip*P[84] + F_r_star_pi1*P[57]) + (F_r_star_place*P[85] + F_r_star_push*P[87] + F_r_star_r_star*P[21] + F_r_star_rho*P[76] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
+        const bicycle_with_accelerometer_population_real PW_8 = P[35] + P[96] + P[95]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_8 = (F_v_star_K*P[47] + F_v_star_bank*P[93] + F_v_star_eta*P[68] + F_v_star_grip*P[85] + F_v_star_pi1*P[58]) + (F_v_star_place*P[92] + F_v_star_push*P[94] + F_v_star_r_star*P[22] + F_v_star_rho*P[77] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
+        const bicycle_with_accelerometer_population_real FP_1_8 = (F_r_star_K*P[47] + F_r_star_bank*P[93] + F_r_star_eta*P[68] + F_r_star_grip*P[85] + F_r_star_pi1*P[58]) + (F_r_star_place*P[92] + F_r_star_push*P[94] + F_r_star_r_star*P[22] + F_r_star_rho*P[77] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
+        const bicycle_with_accelerometer_population_real PW_9 = P[102] + P[36] + P[101]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_9 = (F_v_star_K*P[48] + F_v_star_bank*P[99] + F_v_star_eta*P[69] + F_v_star_grip*P[86] + F_v_star_pi1*P[59]) + (F_v_star_place*P[93] + F_v_star_push*P[100] + F_v_star_r_star*P[23] + F_v_star_rho*P[78] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
+        const bicycle_with_accelerometer_population_real FP_1_9 = (F_r_star_K*P[48] + F_r_star_bank*P[99] + F_r_star_eta*P[69] + F_r_star_grip*P[86] + F_r_star_pi1*P[59]) + (F_r_star_place*P[93] + F_r_star_push*P[100] + F_r_star_r_star*P[23] + F_r_star_rho*P[78] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
+        const bicycle_with_accelerometer_population_real PW_10 = P[107] + P[37] + P[106]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_10 = (F_v_star_K*P[49] + F_v_star_bank*P[100] + F_v_star_eta*P[70] + F_v_star_grip*P[87] + F_v_star_pi1*P[60]) + (F_v_star_place*P[94] + F_v_star_push*P[105] + F_v_star_r_star*P[24] + F_v_star_rho*P[79] + F_v_star_u*PW_10 + F_v_star_v_star*P[10]);
+        const bicycle_with_accelerometer_population_real FP_1_10 = (F_r_star_K*P[49] + F_r_star_bank*P[100] + F_r_star_eta*P[70] + F_r_star_grip*P[87] + F_r_star_pi1*P[60]) + (F_r_star_place*P[94] + F_r_star_push*P[105] + F_r_star_r_star*P[24] + F_r_star_rho*P[79] + F_r_star_u*PW_10 + F_r_star_v_star*P[10]);
+        const bicycle_with_accelerometer_population_real PW_11 = P[111] + P[38] + P[110]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_11 = (F_v_star_K*P[50] + F_v_star_bank*P[101] + F_v_star_eta*P[71] + F_v_star_grip*P[88] + F_v_star_pi1*P[61]) + (F_v_star_place*P[95] + F_v_star_push*P[106] + F_v_star_r_star*P[25] + F_v_star_rho*P[80] + F_v_star_u*PW_11 + F_v_star_v_star*P[11]);
+        const bicycle_with_accelerometer_population_real FP_1_11 = (F_r_star_K*P[50] + F_r_star_bank*P[101] + F_r_star_eta*P[71] + F_r_star_grip*P[88] + F_r_star_pi1*P[61]) + (F_r_star_place*P[95] + F_r_star_push*P[106] + F_r_star_r_star*P[25] + F_r_star_rho*P[80] + F_r_star_u*PW_11 + F_r_star_v_star*P[11]);
+        const bicycle_with_accelerometer_population_real PW_12 = P[114] + P[39] + P[111]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_12 = (F_v_star_K*P[51] + F_v_star_bank*P[102] + F_v_star_eta*P[72] + F_v_star_grip*P[89] + F_v_star_pi1*P[62]) + (F_v_star_place*P[96] + F_v_star_push*P[107] + F_v_star_r_star*P[26] + F_v_star_rho*P[81] + F_v_star_u*PW_12 + F_v_star_v_star*P[12]);
+        const bicycle_with_accelerometer_population_real FP_1_12 = (F_r_star_K*P[51] + F_r_star_bank*P[102] + F_r_star_eta*P[72] + F_r_star_grip*P[89] + F_r_star_pi1*P[62]) + (F_r_star_place*P[96] + F_r_star_push*P[107] + F_r_star_r_star*P[26] + F_r_star_rho*P[81] + F_r_star_u*PW_12 + F_r_star_v_star*P[12]);
+        const bicycle_with_accelerometer_population_real PW_13 = P[115] + P[40] + P[112]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_13 = (F_v_star_K*P[52] + F_v_star_bank*P[103] + F_v_star_eta*P[73] + F_v_star_grip*P[90] + F_v_star_pi1*P[63]) + (F_v_star_place*P[97] + F_v_star_push*P[108] + F_v_star_r_star*P[27] + F_v_star_rho*P[82] + F_v_star_u*PW_13 + F_v_star_v_star*P[13]);
+        const bicycle_with_accelerometer_population_real FP_1_13 = (F_r_star_K*P[52] + F_r_star_bank*P[103] + F_r_star_eta*P[73] + F_r_star_grip*P[90] + F_r_star_pi1*P[63]) + (F_r_star_place*P[97] + F_r_star_push*P[108] + F_r_star_r_star*P[27] + F_r_star_rho*P[82] + F_r_star_u*PW_13 + F_r_star_v_star*P[13]);
+        const bicycle_with_accelerometer_population_real PW_14 = P[116] + P[41] + P[113]*steer;
+        const bicycle_with_accelerometer_population_real FP_0_14 = (F_v_star_K*P[53] + F_v_star_bank*P[104] + F_v_star_eta*P[74] + F_v_star_grip*P[91] + F_v_star_pi1*P[64]) + (F_v_star_place*P[98] + F_v_star_push*P[109] + F_v_star_r_star*P[28] + F_v_star_rho*P[83] + F_v_star_u*PW_14 + F_v_star_v_star*P[14]);
+        const bicycle_with_accelerometer_population_real FP_1_14 = (F_r_star_K*P[53] + F_r_star_bank*P[104] + F_r_star_eta*P[74] + F_r_star_grip*P[91] + F_r_star_pi1*P[64]) + (F_r_star_place*P[98] + F_r_star_push*P[109] + F_r_star_r_star*P[28] + F_r_star_rho*P[83] + F_r_star_u*PW_14 + F_r_star_v_star*P[14]);
+        const bicycle_with_accelerometer_population_real WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer;
+        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_10*F_v_star_push + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + FP_0_8*F_v_star_place + FP_0_9*F_v_star_bank + F_v_star_u*WPF_0);
+        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_10*F_r_star_push + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + FP_0_8*F_r_star_place + FP_0_9*F_r_star_bank + F_r_star_u*WPF_0);
+        P[2] = FP_0_2*keep_w;
+        P[3] = FP_0_3;
+        P[4] = FP_0_4;
+        P[5] = FP_0_5;
+        P[6] = FP_0_6;
+        P[7] = FP_0_7;
+        P[8] = FP_0_8;
+        P[9] = FP_0_9*keep_bank;
+        P[10] = FP_0_10*keep_push;
+        P[11] = FP_0_11;
+        P[12] = FP_0_12;
+        P[13] = FP_0_13;
+        P[14] = FP_0_14;
+        const bicycle_with_accelerometer_population_real WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer;
+        P[15] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_10*F_r_star_push + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + FP_1_8*F_r_star_place + FP_1_9*F_r_star_bank + F_r_star_u*WPF_1);
+        P[16] = FP_1_2*keep_w;
+        P[17] = FP_1_3;
+        P[18] = FP_1_4;
+        P[19] = FP_1_5;
+        P[20] = FP_1_6;
+        P[21] = FP_1_7;
+        P[22] = FP_1_8;
+        P[23] = FP_1_9*keep_bank;
+        P[24] = FP_1_10*keep_push;
+        P[25] = FP_1_11;
+        P[26] = FP_1_12;
+        P[27] = FP_1_13;
+        P[28] = FP_1_14;
+        P[29] = P[29]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[30] = P[30]*keep_w;
+        P[31] = P[31]*keep_w;
+        P[32] = P[32]*keep_w;
+        P[33] = P[33]*keep_w;
+        P[34] = P[34]*keep_w;
+        P[35] = P[35]*keep_w;
+        P[36] = P[36]*keep_bank*keep_w;
+        P[37] = P[37]*keep_push*keep_w;
+        P[38] = P[38]*keep_w;
+        P[39] = P[39]*keep_w;
+        P[40] = P[40]*keep_w;
+        P[41] = P[41]*keep_w;
+        P[42] = P[42] + dt*(diffusion + jump*jump_drift);
+        P[48] = P[48]*keep_bank;
+        P[49] = P[49]*keep_push;
+        P[59] = P[59]*keep_bank;
+        P[60] = P[60]*keep_push;
+        P[69] = P[69]*keep_bank;
+        P[70] = P[70]*keep_push;
+        P[78] = P[78]*keep_bank;
+        P[79] = P[79]*keep_push;
+        P[86] = P[86]*keep_bank;
+        P[87] = P[87]*keep_push;
+        P[93] = P[93]*keep_bank;
+        P[94] = P[94]*keep_push;
+        P[99] = P[99]*(keep_bank*keep_bank) + P_prior_33*(R(1.0) - (keep_bank*keep_bank));
+        P[100] = P[100]*keep_bank*keep_push;
+        P[101] = P[101]*keep_bank;
+        P[102] = P[102]*keep_bank;
+        P[103] = P[103]*keep_bank;
+        P[104] = P[104]*keep_bank;
+        P[105] = P[105]*(keep_push*keep_push) + P_prior_35*(R(1.0) - (keep_push*keep_push));
+        P[106] = P[106]*keep_push;
+        P[107] = P[107]*keep_push;
+        P[108] = P[108]*keep_push;
+        P[109] = P[109]*keep_push;
+        P[117] = P[117] + bias_drift*dt;
+        P[119] = P[119] + ay_bias_drift*dt;
+        disturbance = disturbance*keep_w;
+        bank = bank_prior + keep_bank*(bank - bank_prior);
+        push = push_prior + keep_push*(push - push_prior);
+        v_star = d_v_star + v_star;
+        r_star = d_r_star + r_star;
+        const bicycle_with_accelerometer_population_real follow = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);
+        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain);
+        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain);
+        const bicycle_with_accelerometer_population_real response = output_scale*r_star; /* output of the model */
+        predicted = output_bias + response;
+        const bicycle_with_accelerometer_population_real output_rate = d_r_star*inv_dt*output_scale;
+        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
+        const bicycle_with_accelerometer_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
+        const bicycle_with_accelerometer_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
+        const bicycle_with_accelerometer_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        const bicycle_with_accelerometer_population_real validity_square = (validity_now*validity_now);
+        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        if (usable > R(0.5)) { /* measurement */
+            const bicycle_with_accelerometer_population_real c_0 = P[13] + P[1]*output_scale;
+            const bicycle_with_accelerometer_population_real c_1 = P[27] + P[15]*output_scale;
+            const bicycle_with_accelerometer_population_real c_2 = P[40] + P[16]*output_scale;
+            const bicycle_with_accelerometer_population_real c_3 = P[52] + P[17]*output_scale;
+            const bicycle_with_accelerometer_population_real c_4 = P[63] + P[18]*output_scale;
+            const bicycle_with_accelerometer_population_real c_5 = P[73] + P[19]*output_scale;
+            const bicycle_with_accelerometer_population_real c_6 = P[82] + P[20]*output_scale;
+            const bicycle_with_accelerometer_population_real c_7 = P[90] + P[21]*output_scale;
+            const bicycle_with_accelerometer_population_real c_8 = P[97] + P[22]*output_scale;
+            const bicycle_with_accelerometer_population_real c_9 = P[103] + P[23]*output_scale;
+            const bicycle_with_accelerometer_population_real c_10 = P[108] + P[24]*output_scale;
+            const bicycle_with_accelerometer_population_real c_11 = P[112] + P[25]*output_scale;
+            const bicycle_with_accelerometer_population_real c_12 = P[115] + P[26]*output_scale;
+            const bicycle_with_accelerometer_population_real c_13 = P[117] + P[27]*output_scale;
+            const bicycle_with_accelerometer_population_real c_14 = P[118] + P[28]*output_scale;
+            innovation = measured - predicted;
+            innovation_variance = c_13 + noise + c_1*output_scale;
+            inv_spread = (R(1.0)/innovation_variance);
+            const bicycle_with_accelerometer_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
+            if (nis > outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*outlier_ratio/nis;
+            }
+            const bicycle_with_accelerometer_population_real inv_P = (R(1.0)/P[42]);
+            const bicycle_with_accelerometer_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
+            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
+            surprise = surprise + ((validity < (validity_limit*validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_with_accelerometer_population_real learn = excited*inv_spread;
+            const bicycle_with_accelerometer_population_real above = surprise - R(1.0);
+            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
+            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
+            const bicycle_with_accelerometer_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            unlearnt = dt + unlearnt;
+            const bicycle_with_accelerometer_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            if (learn_seldom > R(0.0)) {
+                unlearnt = R(0.0);
+            }
+            const bicycle_with_accelerometer_population_real gain_0 = c_0*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_1 = c_1*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_2 = c_2*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_3 = c_3*learn;
+            const bicycle_with_accelerometer_population_real gain_4 = c_4*learn_seldom;
+            const bicycle_with_accelerometer_population_real gain_5 = c_5*learn_slow;
+            const bicycle_with_accelerometer_population_real gain_6 = c_6*learn_slow;
+            const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_slow;
+            const bicycle_with_accelerometer_population_real gain_8 = c_8*learn_slow;
+            const bicycle_with_accelerometer_population_real gain_9 = c_9*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_10 = c_10*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_11 = c_11*learn_slow;
+            const bicycle_with_accelerometer_population_real gain_12 = c_12*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_13 = c_13*inv_spread;
+            const bicycle_with_accelerometer_population_real gain_14 = c_14*inv_spread;
+            const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
+            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            P[0] = P[0] - c_0*gain_0;
+            P[1] = P[1] - c_1*gain_0;
+            P[2] = P[2] - c_2*gain_0;
+            P[3] = P[3] - c_3*gain_0;
+            P[4] = P[4] - c_4*gain_0;
+            P[5] = P[5] - c_5*gain_0;
+            P[6] = P[6] - c_6*gain_0;
+            P[7] = P[7] - c_7*gain_0;
+            P[8] = P[8] - c_8*gain_0;
+            P[9] = P[9] - c_9*gain_0;
+            P[10] = P[10] - c_10*gain_0;
+            P[11] = P[11] - c_11*gain_0;
+            P[12] = P[12] - c_12*gain_0;
+            P[13] = P[13] - c_13*gain_0;
+            P[14] = P[14] - c_14*gain_0;
+            P[15] = P[15] - c_1*gain_1;
+            P[16] = P[16] - c_2*gain_1;
+            P[17] = P[17] - c_3*gain_1;
+            P[18] = P[18] - c_4*gain_1;
+            P[19] = P[19] - c_5*gain_1;
+            P[20] = P[20] - c_6*gain_1;
+            P[21] = P[21] - c_7*gain_1;
+            P[22] = P[22] - c_8*gain_1;
+            P[23] = P[23] - c_9*gain_1;
+            P[24] = P[24] - c_10*gain_1;
+            P[25] = P[25] - c_11*gain_1;
+            P[26] = P[26] - c_12*gain_1;
+            P[27] = P[27] - c_13*gain_1;
+            P[28] = P[28] - c_14*gain_1;
+            P[29] = P[29] - c_2*gain_2;
+            P[30] = P[30] - c_3*gain_2;
+            P[31] = P[31] - c_4*gain_2;
+            P[32] = P[32] - c_5*gain_2;
+            P[33] = P[33] - c_6*gain_2;
+            P[34] = P[34] - c_7*gain_2;
+            P[35] = P[35] - c_8*gain_2;
+            P[36] = P[36] - c_9*gain_2;
+            P[37] = P[37] - c_10*gain_2;
+            P[38] = P[38] - c_11*gain_2;
+            P[39] = P[39] - c_12*gain_2;
+            P[40] = P[40] - c_13*gain_2;
+            P[41] = P[41] - c_14*gain_2;
+            P[42] = P[42] - c_3*gain_3;
+            P[43] = P[43] - c_4*gain_3;
+            P[44] = P[44] - c_5*gain_3;
+            P[45] = P[45] - c_6*gain_3;
+            P[46] = P[46] - c_7*gain_3;
+            P[47] = P[47] - c_8*gain_3;
+            P[48] = P[48] - c_3*gain_9;
+            P[49] = P[49] - c_3*gain_10;
+            P[50] = P[50] - c_11*gain_3;
+            P[51] = P[51] - c_3*gain_12;
+            P[52] = P[52] - c_3*gain_13;
+            P[53] = P[53] - c_3*gain_14;
+            P[54] = P[54] - c_4*gain_4;
+            P[55] = P[55] - c_4*gain_5;
+            P[56] = P[56] - c_4*gain_6;
+            P[57] = P[57] - c_4*gain_7;
+            P[58] = P[58] - c_4*gain_8;
+            P[59] = P[59] - c_4*gain_9;
+            P[60] = P[60] - c_4*gain_10;
+            P[61] = P[61] - c_4*gain_11;
+            P[62] = P[62] - c_4*gain_12;
+            P[63] = P[63] - c_4*gain_13;
+            P[64] = P[64] - c_4*gain_14;
+            P[65] = P[65] - c_5*gain_5;
+            P[66] = P[66] - c_6*gain_5;
+            P[67] = P[67] - c_7*gain_5;
+            P[68] = P[68] - c_8*gain_5;
+            P[69] = P[69] - c_5*gain_9;
+            P[70] = P[70] - c_5*gain_10;
+            P[71] = P[71] - c_11*gain_5;
+            P[72] = P[72] - c_5*gain_12;
+            P[73] = P[73] - c_5*gain_13;
+            P[74] = P[74] - c_5*gain_14;
+            P[75] = P[75] - c_6*gain_6;
+            P[76] = P[76] - c_7*gain_6;
+            P[77] = P[77] - c_8*gain_6;
+            P[78] = P[78] - c_6*gain_9;
+            P[79] = P[79] - c_6*gain_10;
+            P[80] = P[80] - c_11*gain_6;
+            P[81] = P[81] - c_6*gain_12;
+            P[82] = P[82] - c_6*gain_13;
+            P[83] = P[83] - c_6*gain_14;
+            P[84] = P[84] - c_7*gain_7;
+            P[85] = P[85] - c_8*gain_7;
+            P[86] = P[86] - c_7*gain_9;
+            P[87] = P[87] - c_7*gain_10;
+            P[88] = P[88] - c_11*gain_7;
+            P[89] = P[89] - c_7*gain_12;
+            P[90] = P[90] - c_7*gain_13;
+            P[91] = P[91] - c_7*gain_14;
+            P[92] = P[92] - c_8*gain_8;
+            P[93] = P[93] - c_8*gain_9;
+            P[94] = P[94] - c_8*gain_10;
+            P[95] = P[95] - c_11*gain_8;
+            P[96] = P[96] - c_8*gain_12;
+            P[97] = P[97] - c_8*gain_13;
+            P[98] = P[98] - c_8*gain_14;
+            P[99] = P[99] - c_9*gain_9;
+            P[100] = P[100] - c_10*gain_9;
+            P[101] = P[101] - c_11*gain_9;
+            P[102] = P[102] - c_12*gain_9;
+            P[103] = P[103] - c_13*gain_9;
+            P[104] = P[104] - c_14*gain_9;
+            P[105] = P[105] - c_10*gain_10;
+            P[106] = P[106] - c_11*gain_10;
+            P[107] = P[107] - c_12*gain_10;
+            P[108] = P[108] - c_13*gain_10;
+            P[109] = P[109] - c_14*gain_10;
+            P[110] = P[110] - c_11*gain_11;
+            P[111] = P[111] - c_11*gain_12;
+            P[112] = P[112] - c_11*gain_13;
+            P[113] = P[113] - c_11*gain_14;
+            P[114] = P[114] - c_12*gain_12;
+            P[115] = P[115] - c_13*gain_12;
+            P[116] = P[116] - c_14*gain_12;
+            P[117] = P[117] - c_13*gain_13;
+            P[118] = P[118] - c_14*gain_13;
+            P[119] = P[119] - c_14*gain_14;
+            v_star = v_star + gain_0*innovation;
+            r_star = r_star + gain_1*innovation;
+            disturbance = disturbance + gain_2*innovation;
+            move = move + gain_3*innovation;
+            pi1 = pi1 + gain_4*innovation;
+            const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
+            const bicycle_with_accelerometer_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+            const bicycle_with_accelerometer_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            const bicycle_with_accelerometer_population_real move_rho = gain_6*innovation;
+            const bicycle_with_accelerometer_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+            const bicycle_with_accelerometer_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            const bicycle_with_accelerometer_population_real move_grip = gain_7*innovation;
+            const bicycle_with_accelerometer_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
+            const bicycle_with_accelerometer_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
+            grip = grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+            place = place + gain_8*innovation;
+            bank = bank + gain_9*innovation;
+            push = push + gain_10*innovation;
+            const bicycle_with_accelerometer_population_real move_input_scale = gain_11*innovation;
+            const bicycle_with_accelerometer_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+            const bicycle_with_accelerometer_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+            input_scale = input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+            input_offset = input_offset + gain_12*innovation;
+            output_bias = output_bias + gain_13*innovation;
+            ay_bias = ay_bias + gain_14*innovation;
+            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
+            const bicycle_with_accelerometer_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
+            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
+            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
+            const bicycle_with_accelerometer_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
+            const bicycle_with_accelerometer_population_real seen = ((R(9.0)*expected) < (P[29] + (disturbance*disturbance)) ? R(9.0)*expected : P[29] + (disturbance*disturbance)); /* and seen */
+            const bicycle_with_accelerometer_population_real unseen = ((expected*observed_least) > (expected - P[29]) ? expected*observed_least : expected - P[29]);
+            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
+            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
+            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
+            if ((excited < R(0.5)) && (status < R(0.5))) {
+                status = R(1.0);
+            }
+            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
+                status = R(2.0);
+            }
+            if ((ay_measured < ay_limit) && (ay_measured > (-ay_limit))) { /* ay is measured too */
+                const bicycle_with_accelerometer_population_real ay_scale = inv_L*(at_U*at_U); /* ay = scale x dimensionless */
+                const bicycle_with_accelerometer_population_real ay_u = disturbance + input_offset + input_scale*u_now; /* effective input at the end [-] */
+                const bicycle_with_accelerometer_population_real ay_u_plain = input_scale*u_now;
+                const bicycle_with_accelerometer_population_real ay_s0 = (inv_U*inv_U);
+                const bicycle_with_accelerometer_population_real ay_s1 = L*ay_s0;
+                const bicycle_with_accelerometer_population_real ay_s2 = v_star + pi1*r_star;
+                const bicycle_with_accelerometer_population_real ay_s3 = ay_s2 - ay_u;
+                const bicycle_with_accelerometer_population_real ay_s4 = pi1 - R(1.0);
+                const bicycle_with_accelerometer_population_real ay_s5 = (R(1.0)/ay_s4);
+                const bicycle_with_accelerometer_population_real ay_s6 = (R(1.0)/grip);
+                const bicycle_with_accelerometer_population_real ay_s7 = K*ay_s6*inv_L;
+                const bicycle_with_accelerometer_population_real ay_s8 = ay_s5*ay_s7;
+                const bicycle_with_accelerometer_population_real ay_s9 = ay_s3*ay_s8;
+                const bicycle_with_accelerometer_population_real ay_s10 = (((-ay_s9)) > (ay_s9) ? (-ay_s9) : ay_s9);
+                const bicycle_with_accelerometer_population_real ay_s11 = R(1.0) + ay_s10*(R(1.0) + R(0.7)*ay_s10);
+                const bicycle_with_accelerometer_population_real ay_s12 = R(1.0) + ay_s10*ay_s11;
+                const bicycle_with_accelerometer_population_real ay_s13 = (R(1.0)/ay_s12);
+                const bicycle_with_accelerometer_population_real ay_s14 = ay_s11*ay_s13*ay_s9;
+                const bicycle_with_accelerometer_population_real ay_s15 = ay_s8*eta;
+                const bicycle_with_accelerometer_population_real ay_s16 = ay_s15*(ay_s2 - r_star);
+                const bicycle_with_accelerometer_population_real ay_s17 = (((-ay_s16)) > (ay_s16) ? (-ay_s16) : ay_s16);
+                const bicycle_with_accelerometer_population_real ay_s18 = R(1.0) + ay_s17*(R(1.0) + R(0.7)*ay_s17);
+                const bicycle_with_accelerometer_population_real ay_s19 = R(1.0) + ay_s17*ay_s18;
+                const bicycle_with_accelerometer_population_real ay_s20 = ay_s16*ay_s18/ay_s19;
+                const bicycle_with_accelerometer_population_real ay_s21 = ay_s1*grip;
+                const bicycle_with_accelerometer_population_real ay_s22 = (R(1.0)/rho);
+                const bicycle_with_accelerometer_population_real ay_s23 = pi1 - place;
+                const bicycle_with_accelerometer_population_real ay_s24 = ay_s22*ay_s23;
+                const bicycle_with_accelerometer_population_real ay_s25 = ay_s21*ay_s24;
+                const bicycle_with_accelerometer_population_real ay_s26 = (R(1.0)/(ay_s12*ay_s12));
+                const bicycle_with_accelerometer_population_real ay_s27 = R(1.0) + ay_s10*(R(2.0) + R(2.1)*ay_s10);
+                const bicycle_with_accelerometer_population_real ay_s28 = ay_s26*ay_s27;
+                const bicycle_with_accelerometer_population_real ay_s29 = ay_s28*ay_s8;
+                const bicycle_with_accelerometer_population_real ay_s30 = (-ay_s29);
+                const bicycle_with_accelerometer_population_real ay_s31 = (R(1.0) + ay_s17*(R(2.0) + R(2.1)*ay_s17))/((ay_s19*ay_s19));
+                const bicycle_with_accelerometer_population_real ay_s32 = ay_s15*ay_s31;
+                const bicycle_with_accelerometer_population_real ay_s33 = ay_s29*pi1;
+                const bicycle_with_accelerometer_population_real ay_s34 = (-ay_s33);
+                const bicycle_with_accelerometer_population_real ay_s35 = ay_s31*ay_s7*eta;
+                const bicycle_with_accelerometer_population_real ay_s36 = ay_s5*inv_L;
+                const bicycle_with_accelerometer_population_real ay_s37 = ay_s36*ay_s6;
+                const bicycle_with_accelerometer_population_real ay_s38 = v_star_plain + pi1*r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s39 = ay_s38 - ay_u_plain;
+                const bicycle_with_accelerometer_population_real ay_s40 = ay_s39*ay_s8;
+                const bicycle_with_accelerometer_population_real ay_s41 = (((-ay_s40)) > (ay_s40) ? (-ay_s40) : ay_s40);
+                const bicycle_with_accelerometer_population_real ay_s42 = R(1.0) + ay_s41*(R(1.0) + R(0.7)*ay_s41);
+                const bicycle_with_accelerometer_population_real ay_s43 = R(1.0) + ay_s41*ay_s42;
+                const bicycle_with_accelerometer_population_real ay_s44 = (R(1.0)/(ay_s43*ay_s43));
+                const bicycle_with_accelerometer_population_real ay_s45 = R(1.0) + ay_s41*(R(2.0) + R(2.1)*ay_s41);
+                const bicycle_with_accelerometer_population_real ay_s46 = ay_s44*ay_s45;
+                const bicycle_with_accelerometer_population_real ay_s47 = ay_s39*ay_s46;
+                const bicycle_with_accelerometer_population_real ay_s48 = ay_s37*ay_s47;
+                const bicycle_with_accelerometer_population_real ay_s49 = ay_s38 - r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s50 = ay_s15*ay_s49;
+                const bicycle_with_accelerometer_population_real ay_s51 = (((-ay_s50)) > (ay_s50) ? (-ay_s50) : ay_s50);
+                const bicycle_with_accelerometer_population_real ay_s52 = R(1.0) + ay_s51*(R(1.0) + R(0.7)*ay_s51);
+                const bicycle_with_accelerometer_population_real ay_s53 = R(1.0) + ay_s51*ay_s52;
+                const bicycle_with_accelerometer_population_real ay_s54 = (R(1.0) + ay_s51*(R(2.0) + R(2.1)*ay_s51))/((ay_s53*ay_s53));
+                const bicycle_with_accelerometer_population_real ay_s55 = ay_s49*eta;
+                const bicycle_with_accelerometer_population_real ay_s56 = ay_s54*ay_s55;
+                const bicycle_with_accelerometer_population_real ay_s57 = ay_s37*ay_s56;
+                const bicycle_with_accelerometer_population_real ay_s58 = (R(1.0)/ay_s43);
+                const bicycle_with_accelerometer_population_real ay_s59 = ay_s40*ay_s42*ay_s58;
+                const bicycle_with_accelerometer_population_real ay_s60 = ay_s50*ay_s52/ay_s53;
+                const bicycle_with_accelerometer_population_real ay_s61 = ay_s60 - ay_s59;
+                const bicycle_with_accelerometer_population_real ay_s62 = (-ay_s61);
+                const bicycle_with_accelerometer_population_real ay_s63 = ay_s22*ay_s62;
+                const bicycle_with_accelerometer_population_real ay_s64 = ay_s8*r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s65 = ay_s7/((ay_s4*ay_s4));
+                const bicycle_with_accelerometer_population_real ay_s66 = ay_s64 - ay_s39*ay_s65;
+                const bicycle_with_accelerometer_population_real ay_s67 = ay_s46*ay_s66;
+                const bicycle_with_accelerometer_population_real ay_s68 = ay_s54*(ay_s64*eta - ay_s55*ay_s65);
+                const bicycle_with_accelerometer_population_real ay_s69 = K*ay_s36;
+                const bicycle_with_accelerometer_population_real ay_s70 = ay_s1*ay_s69;
+                const bicycle_with_accelerometer_population_real ay_s71 = ay_s49*ay_s54*ay_s70;
+                const bicycle_with_accelerometer_population_real ay_s72 = ay_scale*grip;
+                const bicycle_with_accelerometer_population_real ay_s73 = ay_s1*ay_s63;
+                const bicycle_with_accelerometer_population_real ay_s74 = ay_s69/((grip*grip));
+                const bicycle_with_accelerometer_population_real ay_s75 = ay_s47*ay_s74;
+                const bicycle_with_accelerometer_population_real ay_s76 = ay_s56*ay_s74;
+                const bicycle_with_accelerometer_population_real ay_response = ay_scale*(ay_s1*push + ay_s25*(ay_s14 - ay_s20) - ay_s21*(K*ay_s11*ay_s13*ay_s3*ay_s5*ay_s6*inv_L*pi1 - ay_s14 - ay_s20*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_v_star = ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*((-ay_s30) - ay_s32) - ay_s21*((-ay_s29) - ay_s34 - ay_s32*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_r_star = ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*((-ay_s34) - ay_s35) - ay_s21*(K*ay_s26*ay_s27*ay_s5*ay_s6*inv_L*(pi1*pi1) - ay_s33 - ay_s35*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_K = K*ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*(ay_s48 - ay_s57) - ay_s21*(ay_s39*ay_s44*ay_s45*ay_s5*ay_s6*inv_L*pi1 - ay_s48 - ay_s57*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_pi1 = ay_scale*(ay_s21*ay_s63 + ay_s25*(ay_s67 - ay_s68) - ay_s21*(ay_s44*ay_s45*ay_s66*pi1 - ay_s61 - ay_s67 - ay_s68*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_eta = ay_scale*eta*(ay_s71*pi1 - ay_s24*ay_s71);
+                const bicycle_with_accelerometer_population_real ay_by_rho = (-ay_s23*ay_s72*ay_s73);
+                const bicycle_with_accelerometer_population_real ay_by_grip = ay_s72*(L*ay_s0*ay_s22*ay_s23*ay_s62 + L*ay_s0*ay_s22*ay_s23*grip*(ay_s76 - ay_s75) - ay_s1*(K*ay_s39*ay_s42*ay_s5*ay_s58*ay_s6*inv_L*pi1 - ay_s59 - ay_s60*pi1) - ay_s21*(ay_s75 + ay_s76*pi1 - ay_s75*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_place = (-ay_s72*ay_s73);
+                const bicycle_with_accelerometer_population_real ay_by_push = ay_s1*ay_scale;
+                const bicycle_with_accelerometer_population_real ay_by_u = ay_scale*((-ay_s21*((-ay_s30) - ay_s33)) - ay_s24*ay_s28*ay_s70);
+                ay_activity = ay_activity + ((ay_response*ay_response) - ay_activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
+                const bicycle_with_accelerometer_population_real ay_noise = ay_noise_scale*(ay_variance + ay_activity*(ay_share*ay_share))*((R(1.0)) > (R(2.0)*ay_time*inv_dt) ? R(1.0) : R(2.0)*ay_time*inv_dt); /* variance of ay */
+                const bicycle_with_accelerometer_population_real ay_c_0 = (P[14] + P[0]*ay_by_v_star + P[1]*ay_by_r_star + P[10]*ay_by_push + P[12]*ay_by_u + P[2]*ay_by_u) + (P[3]*ay_by_K + P[4]*ay_by_pi1 + P[5]*ay_by_eta + P[6]*ay_by_rho + P[7]*ay_by_grip + P[8]*ay_by_place + P[11]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_1 = (P[28] + P[1]*ay_by_v_star + P[15]*ay_by_r_star + P[16]*ay_by_u + P[17]*ay_by_K + P[18]*ay_by_pi1) + (P[19]*ay_by_eta + P[20]*ay_by_rho + P[21]*ay_by_grip + P[22]*ay_by_place + P[24]*ay_by_push + P[26]*ay_by_u + P[25]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_2 = (P[41] + P[16]*ay_by_r_star + P[2]*ay_by_v_star + P[29]*ay_by_u + P[30]*ay_by_K + P[31]*ay_by_pi1) + (P[32]*ay_by_eta + P[33]*ay_by_rho + P[34]*ay_by_grip + P[35]*ay_by_place + P[37]*ay_by_push + P[39]*ay_by_u + P[38]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_3 = (P[53] + P[17]*ay_by_r_star + P[3]*ay_by_v_star + P[30]*ay_by_u + P[42]*ay_by_K + P[43]*ay_by_pi1) + (P[44]*ay_by_eta + P[45]*ay_by_rho + P[46]*ay_by_grip + P[47]*ay_by_place + P[49]*ay_by_push + P[51]*ay_by_u + P[50]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_4 = (P[64] + P[18]*ay_by_r_star + P[31]*ay_by_u + P[4]*ay_by_v_star + P[43]*ay_by_K + P[54]*ay_by_pi1) + (P[55]*ay_by_eta + P[56]*ay_by_rho + P[57]*ay_by_grip + P[58]*ay_by_place + P[60]*ay_by_push + P[62]*ay_by_u + P[61]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_5 = (P[74] + P[19]*ay_by_r_star + P[32]*ay_by_u + P[44]*ay_by_K + P[5]*ay_by_v_star + P[55]*ay_by_pi1) + (P[65]*ay_by_eta + P[66]*ay_by_rho + P[67]*ay_by_grip + P[68]*ay_by_place + P[70]*ay_by_push + P[72]*ay_by_u + P[71]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_6 = (P[83] + P[20]*ay_by_r_star + P[33]*ay_by_u + P[45]*ay_by_K + P[56]*ay_by_pi1 + P[6]*ay_by_v_star) + (P[66]*ay_by_eta + P[75]*ay_by_rho + P[76]*ay_by_grip + P[77]*ay_by_place + P[79]*ay_by_push + P[81]*ay_by_u + P[80]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_7 = (P[91] + P[21]*ay_by_r_star + P[34]*ay_by_u + P[46]*ay_by_K + P[57]*ay_by_pi1 + P[67]*ay_by_eta) + (P[7]*ay_by_v_star + P[76]*ay_by_rho + P[84]*ay_by_grip + P[85]*ay_by_place + P[87]*ay_by_push + P[89]*ay_by_u + P[88]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_8 = (P[98] + P[22]*ay_by_r_star + P[35]*ay_by_u + P[47]*ay_by_K + P[58]*ay_by_pi1 + P[68]*ay_by_eta) + (P[77]*ay_by_rho + P[8]*ay_by_v_star + P[85]*ay_by_grip + P[92]*ay_by_place + P[94]*ay_by_push + P[96]*ay_by_u + P[95]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_10 = (P[109] + P[10]*ay_by_v_star + P[105]*ay_by_push + P[107]*ay_by_u + P[24]*ay_by_r_star + P[37]*ay_by_u) + (P[49]*ay_by_K + P[60]*ay_by_pi1 + P[70]*ay_by_eta + P[79]*ay_by_rho + P[87]*ay_by_grip + P[94]*ay_by_place + P[106]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_11 = (P[113] + P[106]*ay_by_push + P[11]*ay_by_v_star + P[111]*ay_by_u + P[25]*ay_by_r_star + P[38]*ay_by_u) + (P[50]*ay_by_K + P[61]*ay_by_pi1 + P[71]*ay_by_eta + P[80]*ay_by_rho + P[88]*ay_by_grip + P[95]*ay_by_place + P[110]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_12 = (P[116] + P[107]*ay_by_push + P[114]*ay_by_u + P[12]*ay_by_v_star + P[26]*ay_by_r_star + P[39]*ay_by_u) + (P[51]*ay_by_K + P[62]*ay_by_pi1 + P[72]*ay_by_eta + P[81]*ay_by_rho + P[89]*ay_by_grip + P[96]*ay_by_place + P[111]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_14 = (P[119] + P[109]*ay_by_push + P[116]*ay_by_u + P[14]*ay_by_v_star + P[28]*ay_by_r_star + P[41]*ay_by_u) + (P[53]*ay_by_K + P[64]*ay_by_pi1 + P[74]*ay_by_eta + P[83]*ay_by_rho + P[91]*ay_by_grip + P[98]*ay_by_place + P[113]*ay_by_u*input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_innovation = ay_measured - ay_bias - ay_response - ay_by_K*move;
+                ay_inv_spread = (R(1.0)/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*input_scale*u_now)));
+                const bicycle_with_accelerometer_population_real ay_nis = ay_inv_spread*(ay_innovation*ay_innovation); /* normalised innovation squared */
+                if (ay_nis > outlier_ratio) { /* an outlier counts for less */
+                    ay_inv_spread = ay_inv_spread*outlier_ratio/ay_nis;
+                }
+                const bicycle_with_accelerometer_population_real ay_learn = (learn > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
+                const bicycle_with_accelerometer_population_real ay_learn_slow = (learn_slow > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
+                const bicycle_with_accelerometer_population_real ay_learn_seldom = (learn_seldom > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
+                const bicycle_with_accelerometer_population_real ay_gain_0 = ay_c_0*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_1 = ay_c_1*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_2 = ay_c_2*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_3 = ay_c_3*ay_learn;
+                const bicycle_with_accelerometer_population_real ay_gain_4 = ay_c_4*ay_learn_seldom;
+                const bicycle_with_accelerometer_population_real ay_gain_5 = ay_c_5*ay_learn_slow;
+                const bicycle_with_accelerometer_population_real ay_gain_6 = ay_c_6*ay_learn_slow;
+                const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_slow;
+                const bicycle_with_accelerometer_population_real ay_gain_8 = ay_c_8*ay_learn_slow;
+                const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_10 = ay_c_10*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_11 = ay_c_11*ay_learn_slow;
+                const bicycle_with_accelerometer_population_real ay_gain_12 = ay_c_12*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_13 = ay_c_13*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_gain_14 = ay_c_14*ay_inv_spread;
+                const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[42]);
+                const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
+                information = information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
+                P[0] = P[0] - ay_c_0*ay_gain_0;
+                P[1] = P[1] - ay_c_1*ay_gain_0;
+                P[2] = P[2] - ay_c_2*ay_gain_0;
+                P[3] = P[3] - ay_c_3*ay_gain_0;
+                P[4] = P[4] - ay_c_4*ay_gain_0;
+                P[5] = P[5] - ay_c_5*ay_gain_0;
+                P[6] = P[6] - ay_c_6*ay_gain_0;
+                P[7] = P[7] - ay_c_7*ay_gain_0;
+                P[8] = P[8] - ay_c_8*ay_gain_0;
+                P[9] = P[9] - ay_c_9*ay_gain_0;
+                P[10] = P[10] - ay_c_10*ay_gain_0;
+                P[11] = P[11] - ay_c_11*ay_gain_0;
+                P[12] = P[12] - ay_c_12*ay_gain_0;
+                P[13] = P[13] - ay_c_13*ay_gain_0;
+                P[14] = P[14] - ay_c_14*ay_gain_0;
+                P[15] = P[15] - ay_c_1*ay_gain_1;
+                P[16] = P[16] - ay_c_2*ay_gain_1;
+                P[17] = P[17] - ay_c_3*ay_gain_1;
+                P[18] = P[18] - ay_c_4*ay_gain_1;
+                P[19] = P[19] - ay_c_5*ay_gain_1;
+                P[20] = P[20] - ay_c_6*ay_gain_1;
+                P[21] = P[21] - ay_c_7*ay_gain_1;
+                P[22] = P[22] - ay_c_8*ay_gain_1;
+                P[23] = P[23] - ay_c_9*ay_gain_1;
+                P[24] = P[24] - ay_c_10*ay_gain_1;
+                P[25] = P[25] - ay_c_11*ay_gain_1;
+                P[26] = P[26] - ay_c_12*ay_gain_1;
+                P[27] = P[27] - ay_c_13*ay_gain_1;
+                P[28] = P[28] - ay_c_14*ay_gain_1;
+                P[29] = P[29] - ay_c_2*ay_gain_2;
+                P[30] = P[30] - ay_c_3*ay_gain_2;
+                P[31] = P[31] - ay_c_4*ay_gain_2;
+                P[32] = P[32] - ay_c_5*ay_gain_2;
+                P[33] = P[33] - ay_c_6*ay_gain_2;
+                P[34] = P[34] - ay_c_7*ay_gain_2;
+                P[35] = P[35] - ay_c_8*ay_gain_2;
+                P[36] = P[36] - ay_c_9*ay_gain_2;
+                P[37] = P[37] - ay_c_10*ay_gain_2;
+                P[38] = P[38] - ay_c_11*ay_gain_2;
+                P[39] = P[39] - ay_c_12*ay_gain_2;
+                P[40] = P[40] - ay_c_13*ay_gain_2;
+                P[41] = P[41] - ay_c_14*ay_gain_2;
+                P[42] = P[42] - ay_c_3*ay_gain_3;
+                P[43] = P[43] - ay_c_4*ay_gain_3;
+                P[44] = P[44] - ay_c_5*ay_gain_3;
+                P[45] = P[45] - ay_c_6*ay_gain_3;
+                P[46] = P[46] - ay_c_7*ay_gain_3;
+                P[47] = P[47] - ay_c_8*ay_gain_3;
+                P[48] = P[48] - ay_c_3*ay_gain_9;
+                P[49] = P[49] - ay_c_3*ay_gain_10;
+                P[50] = P[50] - ay_c_11*ay_gain_3;
+                P[51] = P[51] - ay_c_3*ay_gain_12;
+                P[52] = P[52] - ay_c_3*ay_gain_13;
+                P[53] = P[53] - ay_c_3*ay_gain_14;
+                P[54] = P[54] - ay_c_4*ay_gain_4;
+                P[55] = P[55] - ay_c_4*ay_gain_5;
+                P[56] = P[56] - ay_c_4*ay_gain_6;
+                P[57] = P[57] - ay_c_4*ay_gain_7;
+                P[58] = P[58] - ay_c_4*ay_gain_8;
+                P[59] = P[59] - ay_c_4*ay_gain_9;
+                P[60] = P[60] - ay_c_4*ay_gain_10;
+                P[61] = P[61] - ay_c_4*ay_gain_11;
+                P[62] = P[62] - ay_c_4*ay_gain_12;
+                P[63] = P[63] - ay_c_4*ay_gain_13;
+                P[64] = P[64] - ay_c_4*ay_gain_14;
+                P[65] = P[65] - ay_c_5*ay_gain_5;
+                P[66] = P[66] - ay_c_6*ay_gain_5;
+                P[67] = P[67] - ay_c_7*ay_gain_5;
+                P[68] = P[68] - ay_c_8*ay_gain_5;
+                P[69] = P[69] - ay_c_5*ay_gain_9;
+                P[70] = P[70] - ay_c_5*ay_gain_10;
+                P[71] = P[71] - ay_c_11*ay_gain_5;
+                P[72] = P[72] - ay_c_5*ay_gain_12;
+                P[73] = P[73] - ay_c_5*ay_gain_13;
+                P[74] = P[74] - ay_c_5*ay_gain_14;
+                P[75] = P[75] - ay_c_6*ay_gain_6;
+                P[76] = P[76] - ay_c_7*ay_gain_6;
+                P[77] = P[77] - ay_c_8*ay_gain_6;
+                P[78] = P[78] - ay_c_6*ay_gain_9;
+                P[79] = P[79] - ay_c_6*ay_gain_10;
+                P[80] = P[80] - ay_c_11*ay_gain_6;
+                P[81] = P[81] - ay_c_6*ay_gain_12;
+                P[82] = P[82] - ay_c_6*ay_gain_13;
+                P[83] = P[83] - ay_c_6*ay_gain_14;
+                P[84] = P[84] - ay_c_7*ay_gain_7;
+                P[85] = P[85] - ay_c_8*ay_gain_7;
+                P[86] = P[86] - ay_c_7*ay_gain_9;
+                P[87] = P[87] - ay_c_7*ay_gain_10;
+                P[88] = P[88] - ay_c_11*ay_gain_7;
+                P[89] = P[89] - ay_c_7*ay_gain_12;
+                P[90] = P[90] - ay_c_7*ay_gain_13;
+                P[91] = P[91] - ay_c_7*ay_gain_14;
+                P[92] = P[92] - ay_c_8*ay_gain_8;
+                P[93] = P[93] - ay_c_8*ay_gain_9;
+                P[94] = P[94] - ay_c_8*ay_gain_10;
+                P[95] = P[95] - ay_c_11*ay_gain_8;
+                P[96] = P[96] - ay_c_8*ay_gain_12;
+                P[97] = P[97] - ay_c_8*ay_gain_13;
+                P[98] = P[98] - ay_c_8*ay_gain_14;
+                P[99] = P[99] - ay_c_9*ay_gain_9;
+                P[100] = P[100] - ay_c_10*ay_gain_9;
+                P[101] = P[101] - ay_c_11*ay_gain_9;
+                P[102] = P[102] - ay_c_12*ay_gain_9;
+                P[103] = P[103] - ay_c_13*ay_gain_9;
+                P[104] = P[104] - ay_c_14*ay_gain_9;
+                P[105] = P[105] - ay_c_10*ay_gain_10;
+                P[106] = P[106] - ay_c_11*ay_gain_10;
+                P[107] = P[107] - ay_c_12*ay_gain_10;
+                P[108] = P[108] - ay_c_13*ay_gain_10;
+                P[109] = P[109] - ay_c_14*ay_gain_10;
+                P[110] = P[110] - ay_c_11*ay_gain_11;
+                P[111] = P[111] - ay_c_11*ay_gain_12;
+                P[112] = P[112] - ay_c_11*ay_gain_13;
+                P[113] = P[113] - ay_c_11*ay_gain_14;
+                P[114] = P[114] - ay_c_12*ay_gain_12;
+                P[115] = P[115] - ay_c_13*ay_gain_12;
+                P[116] = P[116] - ay_c_14*ay_gain_12;
+                P[117] = P[117] - ay_c_13*ay_gain_13;
+                P[118] = P[118] - ay_c_14*ay_gain_13;
+                P[119] = P[119] - ay_c_14*ay_gain_14;
+                v_star = v_star + ay_gain_0*ay_innovation;
+                r_star = r_star + ay_gain_1*ay_innovation;
+                disturbance = disturbance + ay_gain_2*ay_innovation;
+                move = move + ay_gain_3*ay_innovation;
+                pi1 = pi1 + ay_gain_4*ay_innovation;
+                const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;
+                const bicycle_with_accelerometer_population_real above_ay_move_eta = (((-R(1.0))) > (ay_move_eta) ? (-R(1.0)) : ay_move_eta);
+                const bicycle_with_accelerometer_population_real bounded_ay_move_eta = ((R(1.0)) < (above_ay_move_eta) ? R(1.0) : above_ay_move_eta);
+                eta = eta*(R(1.0) + bounded_ay_move_eta*(R(1.0) + bounded_ay_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_eta)));
+                const bicycle_with_accelerometer_population_real ay_move_rho = ay_gain_6*ay_innovation;
+                const bicycle_with_accelerometer_population_real above_ay_move_rho = (((-R(1.0))) > (ay_move_rho) ? (-R(1.0)) : ay_move_rho);
+                const bicycle_with_accelerometer_population_real bounded_ay_move_rho = ((R(1.0)) < (above_ay_move_rho) ? R(1.0) : above_ay_move_rho);
+                rho = rho*(R(1.0) + bounded_ay_move_rho*(R(1.0) + bounded_ay_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_rho)));
+                const bicycle_with_accelerometer_population_real ay_move_grip = ay_gain_7*ay_innovation;
+                const bicycle_with_accelerometer_population_real above_ay_move_grip = (((-R(1.0))) > (ay_move_grip) ? (-R(1.0)) : ay_move_grip);
+                const bicycle_with_accelerometer_population_real bounded_ay_move_grip = ((R(1.0)) < (above_ay_move_grip) ? R(1.0) : above_ay_move_grip);
+                grip = grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
+                place = place + ay_gain_8*ay_innovation;
+                bank = bank + ay_gain_9*ay_innovation;
+                push = push + ay_gain_10*ay_innovation;
+                const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_11*ay_innovation;
+                const bicycle_with_accelerometer_population_real above_ay_move_input_scale = (((-R(1.0))) > (ay_move_input_scale) ? (-R(1.0)) : ay_move_input_scale);
+                const bicycle_with_accelerometer_population_real bounded_ay_move_input_scale = ((R(1.0)) < (above_ay_move_input_scale) ? R(1.0) : above_ay_move_input_scale);
+                input_scale = input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
+                input_offset = input_offset + ay_gain_12*ay_innovation;
+                output_bias = output_bias + ay_gain_13*ay_innovation;
+                ay_bias = ay_bias + ay_gain_14*ay_innovation;
+                const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
+                ay_noise_scale = ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
+                ay_noise_scale = ((ay_noise_scale) > (ay_noise_scale_low) ? ay_noise_scale : ay_noise_scale_low);
+                ay_noise_scale = ((ay_noise_scale) < (ay_noise_scale_high) ? ay_noise_scale : ay_noise_scale_high);
+            }
+        }
+        const bicycle_with_accelerometer_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
+        const bicycle_with_accelerometer_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
+        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((K < K_low) || (K > K_high) || (bank < bank_low) || (bank > bank_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (place < place_low) || (place > place_high) || (push < push_low) || (push > push_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
+            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
+            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
+            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
+            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
+            grip = ((grip_high) < (((grip) > (grip_low) ? grip : grip_low)) ? grip_high : ((grip) > (grip_low) ? grip : grip_low));
+            place = ((place_high) < (((place) > (place_low) ? place : place_low)) ? place_high : ((place) > (place_low) ? place : place_low));
+            bank = ((bank_high) < (((bank) > (bank_low) ? bank : bank_low)) ? bank_high : ((bank) > (bank_low) ? bank : bank_low));
+            push = ((push_high) < (((push) > (push_low) ? push : push_low)) ? push_high : ((push) > (push_low) ? push : push_low));
+            input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
+            if (usable > R(0.5)) {
+                status = R(3.0);
+            }
+        }
+        noise_now = noise;
+        disturbance_now = disturbance_scale*w_nominal;
+        last_input = u_now;
+        last_U = U_now;
+        if (usable > R(0.5)) {
+            age = R(0.0);
+            started = R(1.0);
+        }
+    } else {
+        status = R(7.0);
+        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
+    }
+    estimate = K;
+    variance = P[42];
+    information_gained = information;
+    pi1_now = pi1;
+    eta_now = eta;
+    rho_now = rho;
+    grip_now = grip;
+    place_now = place;
+    bank_now = bank;
+    push_now = push;
+    offset_now = input_offset;
+    bias_now = output_bias;
+
+    state->v_star = v_star;
+    state->r_star = r_star;
+    state->v_star_plain = v_star_plain;
+    state->r_star_plain = r_star_plain;
+    state->disturbance = disturbance;
+    state->K = K;
+    state->pi1 = pi1;
+    state->eta = eta;
+    state->rho = rho;
+    state->grip = grip;
+    state->place = place;
+    state->bank = bank;
+    state->push = push;
+    state->input_scale = input_scale;
+    state->input_offset = input_offset;
+    state->output_bias = output_bias;
+    state->ay_bias = ay_bias;
+    state->ay_activity = ay_activity;
+    state->ay_noise_scale = ay_noise_scale;
+    state->noise_scale = noise_scale;
+    state->disturbance_scale = disturbance_scale;
+    state->activity = activity;
+    state->settling = settling;
+    state->restlessness = restlessness;
+    state->jump = jump;
+    state->surprise = surprise;
+    state->excitation = excitation;
+    state->excited = excited;
+    state->unlearnt = unlearnt;
+    state->validity = validity;
+    state->information = information;
+    state->last_input = last_input;
+    state->last_U = last_U;
+    state->age = age;
+    state->started = started;
+    output->estimate = estimate;
+    output->variance = variance;
+    output->predicted = predicted;
+    output->innovation = innovation;
+    output->innovation_variance = innovation_variance;
+    output->information_gained = information_gained;
+    output->pi1_now = pi1_now;
+    output->eta_now = eta_now;
+    output->rho_now = rho_now;
+    output->grip_now = grip_now;
+    output->place_now = place_now;
+    output->bank_now = bank_now;
+    output->push_now = push_now;
+    output->offset_now = offset_now;
+    output->bias_now = bias_now;
+    output->noise_now = noise_now;
+    output->disturbance_now = disturbance_now;
+    return (int)status;
+}
+
+/* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
+SIMILITUDE_API int bicycle_with_accelerometer_population_step(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state,
+                               const bicycle_with_accelerometer_population_sample *sample, bicycle_with_accelerometer_population_output *output)
+{
+    return bicycle_with_accelerometer_population_advance(config, state, sample, output);
+}
+
+/* The step over n samples; the same bits as calling it n times. */
+SIMILITUDE_API long bicycle_with_accelerometer_population_batch(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state, long n,
+                                 const bicycle_with_accelerometer_population_sample *samples, bicycle_with_accelerometer_population_output *outputs, int *status)
+{
+    bicycle_with_accelerometer_population_state now = *state;
+    long i;
+    for (i = 0; i < n; ++i)
+        status[i] = bicycle_with_accelerometer_population_advance(config, &now, &samples[i], &outputs[i]);
+    *state = now;
+    return n;
+}
