@@ -13,7 +13,7 @@ a spike          counts like a missing value when the sample before was usable a
                  beyond output_jump; a step that stays is believed from its second sample on.
 uneven steps     a step outside dt_low..dt_high counts like a missing value.
 K <= 0           the regression itself is left alone; the least K is reported, with status at_limit.
-overflow         the sum of squares stays above normal_least (in a constant turn it would halve every 14,000
+overflow         normal_least is added to the sum of squares (in a constant turn it would halve every 14,000
                  updates without end), |K| within its limit.
 
 Invariant: whatever the sample holds, every state stays finite and the next usable samples count.
@@ -75,6 +75,9 @@ def paper_regression(
             Field("status", "-", "status code"),
             Field("input_step", layout.input.unit, "change of the input used now"),
             Field("output_step", layout.output.unit, "change of the measurement used now"),
+            Field("y_now", layout.output.unit, "measurement used now"),
+            Field("waiting", "-", "usable samples until the filters have settled"),
+            Field("gained", f"({layout.output.unit})^2", "square of what the constant explains now"),
             Field("scale_now", layout.signals[0].unit, "scale used now"),
             Field("inverse", f"1/({layout.signals[0].unit})", "reciprocal of the last scale"),
         ),

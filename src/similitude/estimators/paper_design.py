@@ -22,7 +22,7 @@ GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
 
-P_START, P_MOST = 1e9, 1e12  # of the textbook recursion, in dimensionless filtered outputs
+P_START, P_MOST = 1e9, 1e14  # of the textbook recursion, in dimensionless filtered outputs
 
 DESIGN = {
     "forgetting": 0.99995,  # paper, section 6
@@ -118,7 +118,7 @@ def paper_config(
         "poles_1": section_poles(first),
         "poles_2": section_poles(second),
         "normal_start": 1.0 / (P_start * gain**2),
-        "normal_least": 1.0 / (P_MOST * (gain * fastest) ** 2),
+        "normal_least": (1.0 - DESIGN["forgetting"]) / (P_MOST * (gain * fastest) ** 2),
         "settle_samples": max(3, math.ceil(SETTLING / sample_time)),
         "output_jump": JUMP[0] + JUMP[1] * noise_std + JUMP[2] * sample_time,
         "noise_variance": noise_std**2,

@@ -23,7 +23,7 @@ def config_fields(r: Regression) -> tuple[Field, ...]:
         *poles_fields(),
         Field(f"{r.unknown}_start", "-", f"{r.unknown} before the first update"),
         Field("normal_start", "-", "sum of squared regressors before the first update, dimensionless"),
-        Field("normal_least", f"({o.unit})^2/({target.unit})^2", "the least it falls to, > 0"),
+        Field("normal_least", f"({o.unit})^2/({target.unit})^2", "added at each update, > 0"),
         Field("forgetting", "-", "share of the past kept at each update"),
         Field("dead_zone", o.unit, f"|{o.name}| that must be exceeded for an update"),
         Field("settle_samples", "-", "whole samples in a row before an update, 3 or more"),

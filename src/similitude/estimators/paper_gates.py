@@ -1,6 +1,6 @@
 """The paper's regression before it computes: what a sample can be used for, and what is held.
 
-``wait`` counts down to the sample on which the filters have settled, so that the usual sample asks
+``waiting`` counts down to the sample on which the filters have settled, so that the usual sample asks
 one question of it; beyond ``settle_samples`` it says that the newest sample was not usable.
 
 Invariant: after the gates the changes and the last scale are differences and values of believable numbers.
@@ -15,8 +15,8 @@ from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 from similitude.status import STATUS
 
-AGAIN = Assign("wait", S("settle_samples") + 1)
-WAS_USABLE = S("wait") <= S("settle_samples")
+AGAIN = Assign("waiting", S("settle_samples") + 1)
+WAS_USABLE = S("waiting") <= S("settle_samples")
 NOT_YET = S("status") < STATUS["not_excited"] + HALF  # nothing was said of this sample
 
 
@@ -29,14 +29,11 @@ def time_gate(body: tuple[Statement, ...], otherwise: tuple[Statement, ...]) -> 
         (set_status("bad_sample"),),
         "time must advance",
     )
+    even = sp.And(dt > S("dt_low"), dt < S("dt_high"))
     return [
+        Assign("waiting", S("wait")),
         set_status("not_excited"),
-        When(
-            sp.Not(sp.And(dt > S("dt_low"), dt < S("dt_high"))),
-            (uneven,),
-            (),
-            "the sample before is elsewhere",
-        ),
+        When(sp.Not(even), (uneven,), (), "the sample before is elsewhere"),
         When(S("status") < STATUS["bad_sample"] - HALF, body, otherwise),
     ]
 
@@ -45,35 +42,39 @@ def gates(r: Regression) -> list[Statement]:
     """All that precedes the filters; a later status replaces an earlier one."""
     scale, change, jump = S(r.speed), S("measured") - S("last_measured"), S("output_jump")
     inputs = sp.And(_within(S("input"), "input_limit"), _within(scale, "signal_limit"))
-    sudden = sp.Or(sp.Abs(change) < jump, sp.Not(WAS_USABLE))
-    output = sp.And(_within(S("measured"), "output_limit"), sudden)
+    steady = sp.Or(sp.Abs(change) < jump, sp.Not(WAS_USABLE))
+    output = sp.And(_within(S("measured"), "output_limit"), steady)
     use_inputs = (
         Assign("input_step", S("input") - S("last_input")),
         Assign("last_input", S("input")),
         Assign("scale_now", scale),
     )
-    use_output = (Assign("output_step", change), Assign("last_measured", S("measured")))
-    nothing = (
+    use_output = (Assign("output_step", change), Assign("y_now", S("measured")))
+    last_scale = Assign("scale_now", S(f"last_{r.speed}"))
+    held = (
         Assign("input_step", sp.Integer(0)),
         Assign("output_step", sp.Integer(0)),
-        Assign("scale_now", S(f"last_{r.speed}")),
-    )
-    held = (
-        *nothing,
+        last_scale,
+        Assign("y_now", S("last_measured")),
         When(inputs, use_inputs, (), "a missing input or scale is held"),
         When(output, use_output, (), "so is an output"),
         AGAIN,
         set_status("no_measurement"),
     )
-    counted = When(S("wait") > HALF, (Assign("wait", S("wait") - 1),), (), "usable samples in a row")
+    counted = When(
+        S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row"
+    )
     slow = (
-        Assign("wait", sp.Max(S("wait"), 1)),
+        last_scale,
+        Assign("waiting", sp.Max(S("waiting"), 1)),
         When(NOT_YET, (set_status("too_slow"),)),
     )
-    follow = (Assign(f"last_{r.speed}", S("scale_now")),)
     return [
         When(sp.And(inputs, output), (*use_inputs, *use_output, counted), held),
-        When(S("scale_now") > S(f"{r.speed}_least"), follow, slow, "fast enough to see the dynamics"),
+        When(sp.Not(S("scale_now") > S(f"{r.speed}_least")), slow, (), "too slow to see the dynamics"),
+        Assign(f"last_{r.speed}", S("scale_now")),
+        Assign("last_measured", S("y_now")),
+        Assign("wait", S("waiting")),
     ]
 
 

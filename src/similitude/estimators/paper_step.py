@@ -6,9 +6,9 @@
 in the output's own units, both without the filters' common gain, so the newest sample has weight one in y and
 the residual is the innovation of the raw output. Recursive least squares in the sum of squares,
 
-    normal <- forgetting normal + phi^2,    K <- K + phi (y - phi K)/normal,
+    normal <- forgetting normal + phi^2 + least,    K <- K + phi (y - phi K)/normal,
 
-is the textbook form with P = 1/normal, half as many operations.
+is the textbook form with P = 1/normal, half as many operations; least keeps it off zero in a turn without end.
 
 Invariant: the history the regressor is read from moves on once a sample, after its last use.
 """
@@ -17,10 +17,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from similitude.estimators.held_sample import HALF, S, at_now, set_status
+from similitude.estimators.held_sample import HALF, S, set_status
 from similitude.estimators.high_pass_section import moved_on, sections
 from similitude.estimators.paper_fields import state_fields
-from similitude.estimators.paper_gates import AGAIN, WAS_USABLE, gates, time_gate
+from similitude.estimators.paper_gates import WAS_USABLE, gates, time_gate
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 
@@ -35,8 +35,8 @@ def before_first(r: Regression) -> list[Statement]:
         "from_input": per_input,
         "from_output": per_output,
         last: S(f"{r.speed}_least"),
-        **{line.target: line.expression for line in _prior(r)},
-        "wait": AGAIN.expression,
+        **{line.target: line.expression for line in _prior(r, S(last))},
+        "wait": S("settle_samples") + 1,
     }
     names = [s.name for f in state_fields(r) for s in f.symbols]
     names = [last, *(n for n in names if n != last)]
@@ -45,14 +45,23 @@ def before_first(r: Regression) -> list[Statement]:
 
 def one_sample(r: Regression) -> list[Statement]:
     """The statements of ``step``."""
-    inverse = Assign(INVERSE.name, 1 / S(f"last_{r.speed}"))
-    body = (*gates(r), inverse, *_filter(), *_predict(r), *_learn(r), *moved_on("input"), *moved_on("output"))
-    return [
+    last = S(f"last_{r.speed}")
+    body = (
+        *gates(r),
+        Assign(INVERSE.name, 1 / S("scale_now")),
+        *_filter(),
+        *_predict(r),
+        *_learn(r),
+        *moved_on("input"),
+        *moved_on("output"),
+    )
+    nothing = (
         Assign("predicted", S("last_measured")),
         Assign("innovation", sp.Integer(0)),
-        *time_gate(body, (inverse,)),
-        *_outputs(r),
-    ]
+        Assign("gained", sp.Integer(0)),
+        Assign(INVERSE.name, 1 / last),
+    )
+    return [*time_gate(body, nothing), *_outputs(r)]
 
 
 def regressors(r: Regression) -> tuple[sp.Expr, sp.Expr]:
@@ -72,12 +81,13 @@ def _at_inverse(r: Regression, expression: sp.Expr) -> sp.Expr:
     return sp.powsimp(changing.xreplace({S(r.speed): 1 / INVERSE}))
 
 
-def _prior(r: Regression) -> list[Assign]:
+def _prior(r: Regression, scale: sp.Symbol) -> list[Assign]:
     """The start is one of the group, so of K at the speed of now, until the first update."""
     unit = r.reduction.groups.scale[r.layout.output.name]
+    now = {S(r.speed): scale}
     return [
-        Assign("theta", S(f"{r.unknown}_start") / at_now(r, r.per_target)),
-        Assign("normal", S("normal_start") * sp.simplify(at_now(r, r.per_target * unit)) ** 2),
+        Assign("theta", S(f"{r.unknown}_start") / sp.sympify(r.per_target).xreplace(now)),
+        Assign("normal", S("normal_start") * sp.simplify(r.per_target * unit).xreplace(now) ** 2),
     ]
 
 
@@ -95,62 +105,70 @@ def _predict(r: Regression) -> list[Statement]:
         Assign("expected", S("phi") * S("theta")),
         Assign("y", S("output_2_now") - S("output_2_change"), "second difference, eq 24"),
         Assign("residual", S("y") - S("expected")),
-        Assign("predicted", S("last_measured") - S("residual"), "the newest output has weight one in y"),
+        Assign("predicted", S("y_now") - S("residual"), "the newest output has weight one in y"),
     ]
 
 
 def _learn(r: Regression) -> list[Statement]:
     """Recursive least squares with forgetting where the raw output exceeds the dead zone."""
     phi, theta, normal, forgetting = (S(n) for n in ("phi", "theta", "normal", "forgetting"))
-    limit = S(f"{r.layout.target}_limit")
-    used = sp.And(S("wait") < HALF, sp.Abs(S("last_measured")) > S("dead_zone"))
+    limit, moved = S(f"{r.layout.target}_limit"), S("moved")
+    used = sp.And(S("waiting") < HALF, sp.Abs(S("y_now")) > S("dead_zone"))
     step = (S("residual") ** 2 - S("mean_square")) / S("weight")
     body = (
         Assign("innovation", S("residual")),
-        Assign("normal", forgetting * normal + phi**2),
-        Assign("normal", sp.Max(normal, S("normal_least"))),
-        Assign("theta", theta + S("residual") * phi / normal),
+        Assign("gained", S("expected") ** 2),
+        Assign("normal", forgetting * normal + phi**2 + S("normal_least")),
+        Assign(moved.name, theta + S("residual") * phi / normal),
         When(
-            sp.Abs(theta) > limit,
-            (Assign("theta", sp.Piecewise((limit, theta > 0), (-limit, True))),),
+            sp.Abs(moved) < limit,
+            (Assign("theta", moved),),
+            (Assign("theta", sp.Piecewise((limit, moved > 0), (-limit, True))),),
         ),
         Assign("weight", forgetting * S("weight") + 1),
         Assign("mean_square", S("mean_square") + step),
-        Assign("spread", sp.Max(S("mean_square"), S("noise_variance")), "never below the sensor's share"),
-        Assign("information", S("information") + S("expected") ** 2 / S("spread")),
         *_verdict(r),
     )
     otherwise = (
-        When(WAS_USABLE, (Assign("innovation", S("residual")),)),
-        When(S("weight") < HALF, tuple(_prior(r)), (), "nothing was learnt yet"),
+        Assign("gained", sp.Integer(0)),
+        Assign("innovation", sp.Piecewise((S("residual"), WAS_USABLE), (0, True))),
+        When(S("weight") < HALF, tuple(_prior(r, S("scale_now"))), (), "nothing was learnt yet"),
     )
     return [When(used, body, otherwise, "outside the dead zone, filters settled")]
 
 
 def _verdict(r: Regression) -> list[Statement]:
-    """Status of a sample that was used."""
+    """Status of a sample that was used, but for a constant at its least."""
     lines: list[Statement] = [set_status("ok")]
     validity = r.reduction.groups.model.validity
     if validity is not None:
-        value = at_now(r, validity[0]).xreplace({r.layout.output.symbol: S("last_measured")})
+        now = {S(r.speed): S("scale_now"), r.layout.output.symbol: S("y_now")}
+        value = sp.sympify(validity[0]).xreplace(now)
         lines.append(When(sp.Abs(value) > S("validity_limit"), (set_status("outside_linear"),)))
-    low = S("theta") <= S(f"{r.layout.target}_low")
-    return [*lines, When(low, (set_status("at_limit"),), (), "no stiffness is zero or less")]
+    return lines
 
 
 def _outputs(r: Regression) -> list[Statement]:
     """The constant and its group; scatter of the residual as variance, without the noise's bias."""
-    estimate, limit = S("estimate"), S("variance_limit")
+    estimate, limit, low = S("estimate"), S("variance_limit"), S(f"{r.layout.target}_low")
     scatter = S("innovation_variance") / (S("normal") * estimate**2)
+    status = S("status")
+    learnt = sp.Or(status < HALF, sp.And(status > 1 + HALF, status < 2 + HALF))  # ok, outside_linear
+    at_least = (Assign("estimate", low), When(learnt, (set_status("at_limit"),)))
     return [
-        Assign("estimate", sp.Max(S("theta"), S(f"{r.layout.target}_low"))),
+        When(S("theta") > low, (Assign("estimate", S("theta")),), at_least, "no stiffness is zero or less"),
         Assign(r.unknown, estimate * _group_per_constant(r)),
-        Assign("innovation_variance", sp.Max(S("mean_square"), S("noise_variance"))),
+        Assign(
+            "innovation_variance",
+            sp.Max(S("mean_square"), S("noise_variance")),
+            "never below the sensor's share",
+        ),
+        Assign("information", S("information") + S("gained") / S("innovation_variance")),
+        Assign("information_gained", S("information")),
         Assign("variance", limit),
         When(
             S("weight") > HALF, (Assign("scatter", scatter), Assign("variance", sp.Min(S("scatter"), limit)))
         ),
-        Assign("information_gained", S("information")),
     ]
 
 

@@ -181,20 +181,20 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict c
 {
     bicycle_band_real *const input_memory = state->input_memory;
     bicycle_band_real *const output_memory = state->output_memory;
-    bicycle_band_real edge = R(0.0);
+    int edge = 0;
     bicycle_band_real estimate = R(0.0);
     bicycle_band_real excited = R(0.0);
     bicycle_band_real information_gained = R(0.0);
     bicycle_band_real innovation = R(0.0);
     bicycle_band_real innovation_variance = R(0.0);
-    bicycle_band_real live = R(0.0);
+    int live = 0;
     bicycle_band_real predicted = R(0.0);
     bicycle_band_real scale_now = R(0.0);
     bicycle_band_real spread = R(0.0);
-    bicycle_band_real status = R(0.0);
+    int status = 0;
     bicycle_band_real u_now = R(0.0);
     bicycle_band_real unknowns = R(0.0);
-    bicycle_band_real usable = R(0.0);
+    int usable = 0;
     bicycle_band_real variance = R(0.0);
     bicycle_band_real y_now = R(0.0);
 
@@ -202,41 +202,41 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict c
     innovation = R(0.0);
     unknowns = R(0.0);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
-        usable = R(1.0);
+        status = 1;
+        usable = 1;
         if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
             u_now = sample->input;
             scale_now = sample->U;
         } else {
             u_now = state->last_input;
             scale_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
         }
         if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
             y_now = sample->measured;
         } else {
             y_now = state->last_measured;
-            usable = R(0.0);
+            usable = 0;
         }
         if (scale_now > config->U_least) { /* fast enough to see the dynamics */
             if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
                 state->last_U = scale_now;
             }
-            live = R(1.0);
+            live = 1;
             state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
         if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
             state->fresh = R(0.0);
-            status = R(5.0);
+            status = 5;
         }
-        if (usable > R(0.5)) { /* usable samples in a row */
+        if (usable > 0) { /* usable samples in a row */
             state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
             state->fresh = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         const bicycle_band_real at_U = state->last_U;
         const bicycle_band_real inv_U = (R(1.0)/at_U);
@@ -271,22 +271,22 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict c
         const bicycle_band_real psi = driven - from_output*state->output_before;
         const bicycle_band_real y = output_filtered - state->output_before;
         const bicycle_band_real residual = y - state->K*psi;
-        innovation = (usable > R(0.5) ? residual : R(0.0));
+        innovation = (usable > 0 ? residual : R(0.0));
         predicted = y_now - innovation;
         const bicycle_band_real drive = state->K*driven; /* what the input alone does to the regression */
         state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* the band is excited, the filters settled */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the band is excited, the filters settled */
             state->Q = state->Q*config->forgetting + psi*y - from_output*config->noise_variance*(config->noise_zero - config->noise_one);
             state->A = (psi*psi) + state->A*config->forgetting - config->noise_variance*config->noise_zero*(from_output*from_output);
             const bicycle_band_real noise_sum = config->noise_variance*config->noise_zero*(from_output*from_output)/(R(1.0) - config->forgetting); /* what noise alone would sum to */
             if (state->A > noise_sum*config->signal_least) { /* more than noise */
                 state->K = state->Q/state->A;
-                edge = R(0.0);
+                edge = 0;
                 if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
                     state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
                     state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
-                    edge = R(1.0);
+                    edge = 1;
                 }
                 unknowns = R(1.0);
                 state->block_score = state->block_score + psi*residual;
@@ -306,29 +306,29 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict c
                     state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K))) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K)));
                     state->information = state->information + (state->K*state->K)*(psi*psi)/spread;
                 }
-                status = R(0.0);
+                status = 0;
                 if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
-                    status = R(2.0);
+                    status = 2;
                 }
-                if (edge > R(0.5)) { /* the population's edge */
-                    status = R(3.0);
+                if (edge > 0) { /* the population's edge */
+                    status = 3;
                 }
             }
         }
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
             state->aged = state->aged*config->forgetting;
         } else {
             state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
         }
         state->input_before = input_filtered;
         state->output_before = output_filtered;
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->mean_square = state->mean_square + ((innovation*innovation) - state->mean_square)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         }
         state->last_input = u_now;
         state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
     innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
     estimate = state->K;
@@ -342,7 +342,7 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict c
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -255,11 +255,11 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *rest
     bicycle_monitor_real information_rate = R(0.0);
     bicycle_monitor_real onset_age = R(0.0);
     bicycle_monitor_real reference = R(0.0);
-    bicycle_monitor_real status = R(0.0);
+    int status = 0;
     bicycle_monitor_real u_now = R(0.0);
     bicycle_monitor_real usable = R(0.0);
 
-    status = R(0.0);
+    status = 0;
     alarm = R(0.0);
     onset_age = R(0.0);
     change = R(0.0);
@@ -757,7 +757,7 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *rest
         state->last_input = u_now;
         state->last_U = U_used;
     } else {
-        status = R(7.0);
+        status = 7;
     }
     reference = state->K_held;
     evidence_of_fall = state->evidence_fall;
@@ -774,7 +774,7 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *rest
     output->evidence_of_rise = evidence_of_rise;
     output->armed = armed;
     output->information_rate = information_rate;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -166,18 +166,18 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
                                      const bicycle_output_error_sample *restrict sample,
                                      bicycle_output_error_output *restrict output)
 {
-    bicycle_output_error_real anew = R(0.0);
-    bicycle_output_error_real edge = R(0.0);
+    int anew = 0;
+    int edge = 0;
     bicycle_output_error_real estimate = R(0.0);
     bicycle_output_error_real excited = R(0.0);
     bicycle_output_error_real information_gained = R(0.0);
     bicycle_output_error_real innovation = R(0.0);
     bicycle_output_error_real innovation_variance = R(0.0);
-    bicycle_output_error_real live = R(0.0);
+    int live = 0;
     bicycle_output_error_real predicted = R(0.0);
     bicycle_output_error_real scale_now = R(0.0);
     bicycle_output_error_real spread = R(0.0);
-    bicycle_output_error_real status = R(0.0);
+    int status = 0;
     bicycle_output_error_real u_now = R(0.0);
     bicycle_output_error_real unknowns = R(0.0);
     bicycle_output_error_real usable = R(0.0);
@@ -188,7 +188,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
     innovation = R(0.0);
     unknowns = R(0.0);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
+        status = 1;
         usable = R(1.0);
         if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
             u_now = sample->input;
@@ -208,31 +208,31 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
             if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
                 state->last_U = scale_now;
             }
-            live = R(1.0);
+            live = 1;
             state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
         if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
             state->fresh = R(0.0);
-            status = R(5.0);
+            status = 5;
         }
         if (usable > R(0.5)) { /* usable samples in a row */
             state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
             state->fresh = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         const bicycle_output_error_real at_U = state->last_U;
         const bicycle_output_error_real inv_U = (R(1.0)/at_U);
         const bicycle_output_error_real inv_L = (R(1.0)/config->L);
-        anew = R(0.0);
+        anew = 0;
         if ((state->r_star < (-config->state_limit)) || (state->r_star > config->state_limit) || (state->v_star < (-config->state_limit)) || (state->v_star > config->state_limit)) {
-            anew = R(1.0);
-            status = R(5.0);
+            anew = 1;
+            status = 5;
         }
-        if ((anew > R(0.5)) || (live < R(0.5)) || (sample->dt > config->dt_high)) { /* nothing is known of the state */
+        if ((anew > 0) || (live < 1) || (sample->dt > config->dt_high)) { /* nothing is known of the state */
             state->v_star = R(0.0);
             state->r_star = R(0.0);
             state->v_star_slope = R(0.0);
@@ -340,16 +340,16 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
         const bicycle_output_error_real keep = R(1.0) - ((R(0.5)) < (sample->dt*config->forgetting_rate) ? R(0.5) : sample->dt*config->forgetting_rate);
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* the input excites the unknown */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the input excites the unknown */
             state->A = (psi*psi) + state->A*keep;
             const bicycle_output_error_real wanted = psi*residual/state->A;
             const bicycle_output_error_real move = (((-config->move_limit)) > (((config->move_limit) < (wanted) ? config->move_limit : wanted)) ? (-config->move_limit) : ((config->move_limit) < (wanted) ? config->move_limit : wanted));
             state->K = state->K*(R(1.0) + move*(R(1.0) + move*(R(0.5) + R(0.16666666666666666)*move)));
-            edge = R(0.0);
+            edge = 0;
             if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
                 state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
                 state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
-                edge = R(1.0);
+                edge = 1;
             }
             unknowns = R(1.0);
             state->block_score = state->block_score + psi*residual;
@@ -369,15 +369,15 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/state->A) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/state->A);
                 state->information = state->information + (psi*psi)/spread;
             }
-            status = R(0.0);
+            status = 0;
             if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
-                status = R(2.0);
+                status = 2;
             }
-            if (edge > R(0.5)) { /* the population's edge */
-                status = R(3.0);
+            if (edge > 0) { /* the population's edge */
+                status = 3;
             }
         }
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
             state->aged = state->aged*keep;
         } else {
             state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
@@ -394,7 +394,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         state->last_input = u_now;
         state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
     innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
     estimate = state->K;
@@ -408,7 +408,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -6,7 +6,7 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 98 at most, 11 at least (arithmetic, comparisons, selects), init 23.
+ * Operations: step 96 at most, 12 at least (arithmetic, comparisons, selects), init 23.
  * Memory: state 21 reals, configuration 27 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -63,7 +63,7 @@ typedef struct bicycle_paper_config {
     bicycle_paper_real poles_2[2];                   /* [-] second section of the high-pass: 1 + a1 + a2, a2 */
     bicycle_paper_real pi3_start;                    /* [-] pi3 before the first update */
     bicycle_paper_real normal_start;                 /* [-] sum of squared regressors before the first update, dimensionless */
-    bicycle_paper_real normal_least;                 /* [(rad/s)^2/(m^2/s^2)^2] the least it falls to, > 0 */
+    bicycle_paper_real normal_least;                 /* [(rad/s)^2/(m^2/s^2)^2] added at each update, > 0 */
     bicycle_paper_real forgetting;                   /* [-] share of the past kept at each update */
     bicycle_paper_real dead_zone;                    /* [rad/s] |r| that must be exceeded for an update */
     bicycle_paper_real settle_samples;               /* [-] whole samples in a row before an update, 3 or more */
@@ -155,6 +155,7 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
                                      bicycle_paper_output *restrict output)
 {
     bicycle_paper_real estimate = R(0.0);
+    bicycle_paper_real gained = R(0.0);
     bicycle_paper_real information_gained = R(0.0);
     bicycle_paper_real innovation = R(0.0);
     bicycle_paper_real innovation_variance = R(0.0);
@@ -164,57 +165,61 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
     bicycle_paper_real pi3 = R(0.0);
     bicycle_paper_real predicted = R(0.0);
     bicycle_paper_real scale_now = R(0.0);
-    bicycle_paper_real status = R(0.0);
+    int status = 0;
     bicycle_paper_real variance = R(0.0);
+    bicycle_paper_real waiting = R(0.0);
+    bicycle_paper_real y_now = R(0.0);
 
-    predicted = state->last_measured;
-    innovation = R(0.0);
-    status = R(1.0);
+    waiting = state->wait;
+    status = 1;
     if (!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) { /* the sample before is elsewhere */
         if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
-            if (state->wait <= config->settle_samples) {
-                status = R(5.0);
+            if (waiting <= config->settle_samples) {
+                status = 5;
             }
-            state->wait = R(1.0) + config->settle_samples;
+            waiting = R(1.0) + config->settle_samples;
         } else {
-            status = R(7.0);
+            status = 7;
         }
     }
-    if (status < R(6.5)) {
-        if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (state->wait > config->settle_samples)) && (MAGNITUDE(sample->U) < config->signal_limit) && (MAGNITUDE(sample->input) < config->input_limit) && (MAGNITUDE(sample->measured) < config->output_limit)) {
+    if (status < 7) {
+        if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (waiting > config->settle_samples)) && (MAGNITUDE(sample->U) < config->signal_limit) && (MAGNITUDE(sample->input) < config->input_limit) && (MAGNITUDE(sample->measured) < config->output_limit)) {
             input_step = sample->input - state->last_input;
             state->last_input = sample->input;
             scale_now = sample->U;
             output_step = sample->measured - state->last_measured;
-            state->last_measured = sample->measured;
-            if (state->wait > R(0.5)) { /* usable samples in a row */
-                state->wait = state->wait - R(1.0);
+            y_now = sample->measured;
+            if (waiting > R(0.5)) { /* usable samples in a row */
+                waiting = waiting - R(1.0);
             }
         } else {
             input_step = R(0.0);
             output_step = R(0.0);
             scale_now = state->last_U;
+            y_now = state->last_measured;
             if ((MAGNITUDE(sample->U) < config->signal_limit) && (MAGNITUDE(sample->input) < config->input_limit)) { /* a missing input or scale is held */
                 input_step = sample->input - state->last_input;
                 state->last_input = sample->input;
                 scale_now = sample->U;
             }
-            if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (state->wait > config->settle_samples)) && (MAGNITUDE(sample->measured) < config->output_limit)) { /* so is an output */
+            if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (waiting > config->settle_samples)) && (MAGNITUDE(sample->measured) < config->output_limit)) { /* so is an output */
                 output_step = sample->measured - state->last_measured;
-                state->last_measured = sample->measured;
+                y_now = sample->measured;
             }
-            state->wait = R(1.0) + config->settle_samples;
-            status = R(4.0);
+            waiting = R(1.0) + config->settle_samples;
+            status = 4;
         }
-        if (scale_now > config->U_least) { /* fast enough to see the dynamics */
-            state->last_U = scale_now;
-        } else {
-            state->wait = ((R(1.0)) > (state->wait) ? R(1.0) : state->wait);
-            if (status < R(1.5)) {
-                status = R(6.0);
+        if (scale_now <= config->U_least) { /* too slow to see the dynamics */
+            scale_now = state->last_U;
+            waiting = ((R(1.0)) > (waiting) ? R(1.0) : waiting);
+            if (status < 2) {
+                status = 6;
             }
         }
-        inverse = (R(1.0)/state->last_U);
+        state->last_U = scale_now;
+        state->last_measured = y_now;
+        state->wait = waiting;
+        inverse = (R(1.0)/scale_now);
         const bicycle_paper_real input_bend = input_step - state->input_change; /* second difference */
         state->input_change = input_step;
         const bicycle_paper_real input_1_now = input_bend + state->input_1_change*config->poles_1[1] - state->input_1*config->poles_1[0];
@@ -233,33 +238,29 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
         const bicycle_paper_real expected = phi*state->theta;
         const bicycle_paper_real y = output_2_now - state->output_2_change; /* second difference, eq 24 */
         const bicycle_paper_real residual = y - expected;
-        predicted = state->last_measured - residual; /* the newest output has weight one in y */
-        if ((MAGNITUDE(state->last_measured) > config->dead_zone) && (state->wait < R(0.5))) { /* outside the dead zone, filters settled */
+        predicted = y_now - residual; /* the newest output has weight one in y */
+        if ((MAGNITUDE(y_now) > config->dead_zone) && (waiting < R(0.5))) { /* outside the dead zone, filters settled */
             innovation = residual;
-            state->normal = (phi*phi) + config->forgetting*state->normal;
-            state->normal = ((state->normal) > (config->normal_least) ? state->normal : config->normal_least);
-            state->theta = state->theta + phi*residual/state->normal;
-            if (MAGNITUDE(state->theta) > config->K_limit) {
-                state->theta = (state->theta > R(0.0) ? config->K_limit : (-config->K_limit));
+            gained = (expected*expected);
+            state->normal = config->normal_least + (phi*phi) + config->forgetting*state->normal;
+            const bicycle_paper_real moved = state->theta + phi*residual/state->normal;
+            if (MAGNITUDE(moved) < config->K_limit) {
+                state->theta = moved;
+            } else {
+                state->theta = (moved > R(0.0) ? config->K_limit : (-config->K_limit));
             }
             state->weight = R(1.0) + config->forgetting*state->weight;
             state->mean_square = state->mean_square + ((residual*residual) - state->mean_square)/state->weight;
-            const bicycle_paper_real spread = ((state->mean_square) > (config->noise_variance) ? state->mean_square : config->noise_variance); /* never below the sensor's share */
-            state->information = state->information + (expected*expected)/spread;
-            status = R(0.0);
-            if (MAGNITUDE(state->last_U*state->last_measured) > config->validity_limit) {
-                status = R(2.0);
-            }
-            if (state->theta <= config->K_low) { /* no stiffness is zero or less */
-                status = R(3.0);
+            status = 0;
+            if (MAGNITUDE(scale_now*y_now) > config->validity_limit) {
+                status = 2;
             }
         } else {
-            if (state->wait <= config->settle_samples) {
-                innovation = residual;
-            }
+            gained = R(0.0);
+            innovation = (config->settle_samples >= waiting ? residual : R(0.0));
             if (state->weight < R(0.5)) { /* nothing was learnt yet */
-                state->theta = config->pi3_start*(state->last_U*state->last_U);
-                state->normal = config->normal_start/((config->L*config->L)*(state->last_U*state->last_U));
+                state->theta = config->pi3_start*(scale_now*scale_now);
+                state->normal = config->normal_start/((config->L*config->L)*(scale_now*scale_now));
             }
         }
         state->input_2 = state->input_2 + input_2_now;
@@ -267,17 +268,28 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
         state->output_2 = state->output_2 + output_2_now;
         state->output_2_change = output_2_now;
     } else {
+        predicted = state->last_measured;
+        innovation = R(0.0);
+        gained = R(0.0);
         inverse = (R(1.0)/state->last_U);
     }
-    estimate = ((config->K_low) > (state->theta) ? config->K_low : state->theta);
+    if (state->theta > config->K_low) { /* no stiffness is zero or less */
+        estimate = state->theta;
+    } else {
+        estimate = config->K_low;
+        if (((status < 3) && (status > 1)) || (status < 1)) {
+            status = 3;
+        }
+    }
     pi3 = estimate*(inverse*inverse);
-    innovation_variance = ((state->mean_square) > (config->noise_variance) ? state->mean_square : config->noise_variance);
+    innovation_variance = ((state->mean_square) > (config->noise_variance) ? state->mean_square : config->noise_variance); /* never below the sensor's share */
+    state->information = state->information + gained/innovation_variance;
+    information_gained = state->information;
     variance = config->variance_limit;
     if (state->weight > R(0.5)) {
         const bicycle_paper_real scatter = innovation_variance/((estimate*estimate)*state->normal);
         variance = ((scatter) < (config->variance_limit) ? scatter : config->variance_limit);
     }
-    information_gained = state->information;
 
     output->estimate = estimate;
     output->variance = variance;
@@ -286,7 +298,7 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->pi3 = pi3;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

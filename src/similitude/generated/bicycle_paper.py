@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 98
+OPERATIONS = 96
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -24,7 +24,7 @@ CONFIG = (
     ('poles_2', '-', 'second section of the high-pass: 1 + a1 + a2, a2', 2),
     ('pi3_start', '-', 'pi3 before the first update', 1),
     ('normal_start', '-', 'sum of squared regressors before the first update, dimensionless', 1),
-    ('normal_least', '(rad/s)^2/(m^2/s^2)^2', 'the least it falls to, > 0', 1),
+    ('normal_least', '(rad/s)^2/(m^2/s^2)^2', 'added at each update, > 0', 1),
     ('forgetting', '-', 'share of the past kept at each update', 1),
     ('dead_zone', 'rad/s', '|r| that must be exceeded for an update', 1),
     ('settle_samples', '-', 'whole samples in a row before an update, 3 or more', 1),
@@ -170,6 +170,7 @@ def step(config, state, sample):
     last_U = state[19]
     wait = state[20]
     estimate = 0.0
+    gained = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
@@ -181,45 +182,49 @@ def step(config, state, sample):
     scale_now = 0.0
     status = 0.0
     variance = 0.0
-    predicted = last_measured
-    innovation = 0.0
+    waiting = 0.0
+    y_now = 0.0
+    waiting = wait
     status = 1.0
     if not ((dt < dt_high) and (dt > dt_low)):  # the sample before is elsewhere
         if (dt < 1000000.0) and (dt > 0.0):  # time must advance
-            if wait <= settle_samples:
+            if waiting <= settle_samples:
                 status = 5.0
-            wait = 1.0 + settle_samples
+            waiting = 1.0 + settle_samples
         else:
             status = 7.0
     if status < 6.5:
-        if ((abs(last_measured - measured) < output_jump) or (wait > settle_samples)) and (abs(U) < signal_limit) and (abs(input) < input_limit) and (abs(measured) < output_limit):
+        if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(U) < signal_limit) and (abs(input) < input_limit) and (abs(measured) < output_limit):
             input_step = input - last_input
             last_input = input
             scale_now = U
             output_step = measured - last_measured
-            last_measured = measured
-            if wait > 0.5:  # usable samples in a row
-                wait = wait - 1.0
+            y_now = measured
+            if waiting > 0.5:  # usable samples in a row
+                waiting = waiting - 1.0
         else:
             input_step = 0.0
             output_step = 0.0
             scale_now = last_U
+            y_now = last_measured
             if (abs(U) < signal_limit) and (abs(input) < input_limit):  # a missing input or scale is held
                 input_step = input - last_input
                 last_input = input
                 scale_now = U
-            if ((abs(last_measured - measured) < output_jump) or (wait > settle_samples)) and (abs(measured) < output_limit):  # so is an output
+            if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(measured) < output_limit):  # so is an output
                 output_step = measured - last_measured
-                last_measured = measured
-            wait = 1.0 + settle_samples
+                y_now = measured
+            waiting = 1.0 + settle_samples
             status = 4.0
-        if scale_now > U_least:  # fast enough to see the dynamics
-            last_U = scale_now
-        else:
-            wait = (1.0 if (1.0) > (wait) else wait)
+        if scale_now <= U_least:  # too slow to see the dynamics
+            scale_now = last_U
+            waiting = (1.0 if (1.0) > (waiting) else waiting)
             if status < 1.5:
                 status = 6.0
-        inverse = (1.0/last_U)
+        last_U = scale_now
+        last_measured = y_now
+        wait = waiting
+        inverse = (1.0/scale_now)
         input_bend = input_step - input_change  # second difference
         input_change = input_step
         input_1_now = input_bend + input_1_change*poles_1_1 - input_1*poles_1_0
@@ -238,42 +243,49 @@ def step(config, state, sample):
         expected = phi*theta
         y = output_2_now - output_2_change  # second difference, eq 24
         residual = y - expected
-        predicted = last_measured - residual  # the newest output has weight one in y
-        if (abs(last_measured) > dead_zone) and (wait < 0.5):  # outside the dead zone, filters settled
+        predicted = y_now - residual  # the newest output has weight one in y
+        if (abs(y_now) > dead_zone) and (waiting < 0.5):  # outside the dead zone, filters settled
             innovation = residual
-            normal = (phi*phi) + forgetting*normal
-            normal = (normal if (normal) > (normal_least) else normal_least)
-            theta = theta + phi*residual/normal
-            if abs(theta) > K_limit:
-                theta = (K_limit if theta > 0.0 else (-K_limit))
+            gained = (expected*expected)
+            normal = normal_least + (phi*phi) + forgetting*normal
+            moved = theta + phi*residual/normal
+            if abs(moved) < K_limit:
+                theta = moved
+            else:
+                theta = (K_limit if moved > 0.0 else (-K_limit))
             weight = 1.0 + forgetting*weight
             mean_square = mean_square + ((residual*residual) - mean_square)/weight
-            spread = (mean_square if (mean_square) > (noise_variance) else noise_variance)  # never below the sensor's share
-            information = information + (expected*expected)/spread
             status = 0.0
-            if abs(last_U*last_measured) > validity_limit:
+            if abs(scale_now*y_now) > validity_limit:
                 status = 2.0
-            if theta <= K_low:  # no stiffness is zero or less
-                status = 3.0
         else:
-            if wait <= settle_samples:
-                innovation = residual
+            gained = 0.0
+            innovation = (residual if settle_samples >= waiting else 0.0)
             if weight < 0.5:  # nothing was learnt yet
-                theta = pi3_start*(last_U*last_U)
-                normal = normal_start/((L*L)*(last_U*last_U))
+                theta = pi3_start*(scale_now*scale_now)
+                normal = normal_start/((L*L)*(scale_now*scale_now))
         input_2 = input_2 + input_2_now
         input_2_change = input_2_now
         output_2 = output_2 + output_2_now
         output_2_change = output_2_now
     else:
+        predicted = last_measured
+        innovation = 0.0
+        gained = 0.0
         inverse = (1.0/last_U)
-    estimate = (K_low if (K_low) > (theta) else theta)
+    if theta > K_low:  # no stiffness is zero or less
+        estimate = theta
+    else:
+        estimate = K_low
+        if ((status < 2.5) and (status > 1.5)) or (status < 0.5):
+            status = 3.0
     pi3 = estimate*(inverse*inverse)
-    innovation_variance = (mean_square if (mean_square) > (noise_variance) else noise_variance)
+    innovation_variance = (mean_square if (mean_square) > (noise_variance) else noise_variance)  # never below the sensor's share
+    information = information + gained/innovation_variance
+    information_gained = information
     variance = variance_limit
     if weight > 0.5:
         scatter = innovation_variance/((estimate*estimate)*normal)
         variance = (scatter if (scatter) < (variance_limit) else variance_limit)
-    information_gained = information
     state[:] = [from_input, from_output, theta, normal, mean_square, weight, information, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi3]

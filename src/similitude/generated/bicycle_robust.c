@@ -214,23 +214,23 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
     bicycle_robust_real *const output_stage = state->output_stage;
     bicycle_robust_real *const A = state->A;
     bicycle_robust_real *const q = state->q;
-    bicycle_robust_real carried = R(0.0);
-    bicycle_robust_real edge = R(0.0);
+    int carried = 0;
+    int edge = 0;
     bicycle_robust_real estimate = R(0.0);
     bicycle_robust_real excited = R(0.0);
     bicycle_robust_real information_gained = R(0.0);
     bicycle_robust_real innovation = R(0.0);
     bicycle_robust_real innovation_variance = R(0.0);
-    bicycle_robust_real live = R(0.0);
+    int live = 0;
     bicycle_robust_real lowest = R(0.0);
     bicycle_robust_real predicted = R(0.0);
     bicycle_robust_real residual = R(0.0);
     bicycle_robust_real scale_now = R(0.0);
     bicycle_robust_real spread = R(0.0);
-    bicycle_robust_real status = R(0.0);
+    int status = 0;
     bicycle_robust_real u_now = R(0.0);
     bicycle_robust_real unknowns = R(0.0);
-    bicycle_robust_real usable = R(0.0);
+    int usable = 0;
     bicycle_robust_real variance = R(0.0);
     bicycle_robust_real y_now = R(0.0);
 
@@ -238,41 +238,41 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
     innovation = R(0.0);
     unknowns = R(0.0);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
-        usable = R(1.0);
+        status = 1;
+        usable = 1;
         if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
             u_now = sample->input;
             scale_now = sample->U;
         } else {
             u_now = state->last_input;
             scale_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
         }
         if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
             y_now = sample->measured;
         } else {
             y_now = state->last_measured;
-            usable = R(0.0);
+            usable = 0;
         }
         if (scale_now > config->U_least) { /* fast enough to see the dynamics */
             if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
                 state->last_U = scale_now;
             }
-            live = R(1.0);
+            live = 1;
             state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
         if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
             state->fresh = R(0.0);
-            status = R(5.0);
+            status = 5;
         }
-        if (usable > R(0.5)) { /* usable samples in a row */
+        if (usable > 0) { /* usable samples in a row */
             state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
             state->fresh = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         const bicycle_robust_real inv_L = (R(1.0)/config->L);
         const bicycle_robust_real slowly = ((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
@@ -309,13 +309,13 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
         const bicycle_robust_real psi_3 = (-output_4*to_output);
         const bicycle_robust_real psi_4 = input_4*late*state->pair_input*(inv_L*inv_L*inv_L) - output_4*to_pair;
         const bicycle_robust_real y = (config->corner*config->corner)*(output_2 + output_4 - R(2.0)*output_3); /* second derivative */
-        carried = R(0.0);
+        carried = 0;
         const bicycle_robust_real drive = state->K*psi_1; /* what the input alone does to the regression */
         state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
         const bicycle_robust_real together = (state->K*psi_1 + state->K*psi_2) + (psi_4*(state->K*state->K) + state->K*psi_3*state->stiffness); /* of the car with this K */
         residual = y - together;
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* the steer moves, the filters have settled */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the steer moves, the filters have settled */
             state->weight = R(1.0) + config->forgetting*state->weight;
             A[0] = (psi_2*psi_2) + A[0]*config->forgetting - config->noise_rate*config->noise_variance*(to_rate*to_rate);
             A[1] = A[1]*config->forgetting + psi_2*psi_3 - config->noise_value_rate*config->noise_variance*to_output*to_rate;
@@ -370,13 +370,13 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                             const bicycle_robust_real w_3 = psi_1 - l_30*w_0 - l_31*w_1 - l_32*w_2;
                             const bicycle_robust_real part_3 = inv_d_3*w_3*z_3;
                             state->K = inv_d_3*z_3;
-                            edge = R(0.0);
+                            edge = 0;
                             if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
                                 state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
                                 state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
-                                edge = R(1.0);
+                                edge = 1;
                             }
-                            carried = R(4.0);
+                            carried = 4;
                             unknowns = R(4.0);
                             residual = y - part_0 - part_1 - part_2 - part_3;
                             state->block_score = state->block_score + residual*w_3;
@@ -396,18 +396,18 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3));
                                 state->information = state->information + (state->K*state->K)*(w_3*w_3)/spread;
                             }
-                            status = R(0.0);
+                            status = 0;
                             if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
-                                status = R(2.0);
+                                status = 2;
                             }
-                            if (edge > R(0.5)) { /* the population's edge */
-                                status = R(3.0);
+                            if (edge > 0) { /* the population's edge */
+                                status = 3;
                             }
                         }
                     }
                 }
             }
-            if (carried < R(0.5)) { /* the steer says less */
+            if (carried < 1) { /* the steer says less */
                 const bicycle_robust_real c2 = (A[0] + R(2.0)*A[3] + A[9]) + (R(2.0)*A[1]*state->stiffness + A[4]*(state->stiffness*state->stiffness) + R(2.0)*A[6]*state->stiffness);
                 const bicycle_robust_real c3 = A[2] + A[8] + A[5]*state->stiffness;
                 const bicycle_robust_real c4 = A[7];
@@ -451,11 +451,11 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                 const bicycle_robust_real wanted = d1 - state->K*(c2 + state->K*(R(3.0)*c3 + R(2.0)*state->K*c4) - R(2.0)*d2);
                 if ((normal > R(0.0)) && (normal > noise_along*noise_sum*config->signal_least_one)) { /* more than noise */
                     state->K = state->K + (((-state->K*config->move_limit)) > (((state->K*config->move_limit) < (wanted/normal) ? state->K*config->move_limit : wanted/normal)) ? (-state->K*config->move_limit) : ((state->K*config->move_limit) < (wanted/normal) ? state->K*config->move_limit : wanted/normal));
-                    edge = R(0.0);
+                    edge = 0;
                     if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
                         state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
                         state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
-                        edge = R(1.0);
+                        edge = 1;
                     }
                     unknowns = R(1.0);
                     state->block_score = state->block_score + psi*residual;
@@ -475,30 +475,30 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                         state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal));
                         state->information = state->information + (state->K*state->K)*(psi*psi)/spread;
                     }
-                    status = R(0.0);
+                    status = 0;
                     if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
-                        status = R(2.0);
+                        status = 2;
                     }
-                    if (edge > R(0.5)) { /* the population's edge */
-                        status = R(3.0);
+                    if (edge > 0) { /* the population's edge */
+                        status = 3;
                     }
                 }
             }
         }
-        innovation = (usable > R(0.5) ? residual/config->corner : R(0.0));
+        innovation = (usable > 0 ? residual/config->corner : R(0.0));
         predicted = y_now - innovation;
-        if ((excited > R(0.5)) && (live > R(0.5)) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
             state->aged = state->aged*config->forgetting;
         } else {
             state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
         }
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->mean_square = state->mean_square + ((innovation*innovation) - state->mean_square)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         }
         state->last_input = u_now;
         state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
     innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
     estimate = state->K;
@@ -512,7 +512,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

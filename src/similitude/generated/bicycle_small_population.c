@@ -230,7 +230,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
 {
     bicycle_small_population_real *const P = state->P;
     bicycle_small_population_real U_now = R(0.0);
-    bicycle_small_population_real anew = R(0.0);
+    int anew = 0;
     bicycle_small_population_real diffusion = R(0.0);
     bicycle_small_population_real estimate = R(0.0);
     bicycle_small_population_real information_gained = R(0.0);
@@ -239,59 +239,59 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     bicycle_small_population_real inv_spread = R(0.0);
     bicycle_small_population_real move = R(0.0);
     bicycle_small_population_real predicted = R(0.0);
-    bicycle_small_population_real status = R(0.0);
+    int status = 0;
     bicycle_small_population_real u_now = R(0.0);
     bicycle_small_population_real usable = R(0.0);
     bicycle_small_population_real variance = R(0.0);
 
-    status = R(0.0);
+    status = 0;
     predicted = state->output_bias;
     innovation = R(0.0);
     innovation_variance = state->noise_scale*config->noise_variance;
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
+        anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
         if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
-            anew = R(1.0);
+            anew = 1;
             state->last_input = u_now;
             state->last_U = U_now;
         }
         if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
-            status = R(5.0);
-            anew = R(1.0);
+            status = 5;
+            anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
-            anew = R(1.0);
+            anew = 1;
             state->started = R(0.0);
             usable = R(0.0);
-            status = R(6.0);
+            status = 6;
         }
-        if ((anew > R(0.5)) || (state->age > config->gap)) { /* nothing was heard for long */
+        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
             state->surprise = R(1.0);
         }
-        if (anew > R(0.5)) { /* nothing is known of them */
+        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -603,11 +603,11 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
             state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
             state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
-            if ((state->excited < R(0.5)) && (status < R(0.5))) {
-                status = R(1.0);
+            if ((state->excited < R(0.5)) && (status < 1)) {
+                status = 1;
             }
-            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < R(1.5))) {
-                status = R(2.0);
+            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
+                status = 2;
             }
         }
         const bicycle_small_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
@@ -619,7 +619,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
             state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             if (usable > R(0.5)) {
-                status = R(3.0);
+                status = 3;
             }
         }
         state->last_input = u_now;
@@ -629,7 +629,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->started = R(1.0);
         }
     } else {
-        status = R(7.0);
+        status = 7;
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
@@ -642,7 +642,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

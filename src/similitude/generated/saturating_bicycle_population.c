@@ -293,7 +293,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
 {
     saturating_bicycle_population_real *const P = state->P;
     saturating_bicycle_population_real U_now = R(0.0);
-    saturating_bicycle_population_real anew = R(0.0);
+    int anew = 0;
     saturating_bicycle_population_real bias_now = R(0.0);
     saturating_bicycle_population_real diffusion = R(0.0);
     saturating_bicycle_population_real disturbance_now = R(0.0);
@@ -310,12 +310,12 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real pi1_now = R(0.0);
     saturating_bicycle_population_real predicted = R(0.0);
     saturating_bicycle_population_real rho_now = R(0.0);
-    saturating_bicycle_population_real status = R(0.0);
+    int status = 0;
     saturating_bicycle_population_real u_now = R(0.0);
     saturating_bicycle_population_real usable = R(0.0);
     saturating_bicycle_population_real variance = R(0.0);
 
-    status = R(0.0);
+    status = 0;
     predicted = state->output_bias;
     innovation = R(0.0);
     innovation_variance = state->noise_scale*config->noise_variance;
@@ -323,48 +323,48 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
+        anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
         if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
-            anew = R(1.0);
+            anew = 1;
             state->last_input = u_now;
             state->last_U = U_now;
         }
         if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
-            status = R(5.0);
-            anew = R(1.0);
+            status = 5;
+            anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
-            anew = R(1.0);
+            anew = 1;
             state->started = R(0.0);
             usable = R(0.0);
-            status = R(6.0);
+            status = 6;
         }
-        if ((anew > R(0.5)) || (state->age > config->gap)) { /* nothing was heard for long */
+        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
             state->surprise = R(1.0);
         }
-        if (anew > R(0.5)) { /* nothing is known of them */
+        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -824,11 +824,11 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
             state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
             state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
-            if ((state->excited < R(0.5)) && (status < R(0.5))) {
-                status = R(1.0);
+            if ((state->excited < R(0.5)) && (status < 1)) {
+                status = 1;
             }
-            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < R(1.5))) {
-                status = R(2.0);
+            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
+                status = 2;
             }
         }
         const saturating_bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
@@ -842,7 +842,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
             state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
             if (usable > R(0.5)) {
-                status = R(3.0);
+                status = 3;
             }
         }
         noise_now = noise;
@@ -854,7 +854,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->started = R(1.0);
         }
     } else {
-        status = R(7.0);
+        status = 7;
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
@@ -881,7 +881,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     output->bias_now = bias_now;
     output->noise_now = noise_now;
     output->disturbance_now = disturbance_now;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -15,7 +15,7 @@ from similitude.paper import printed
 from similitude.paper.claim import Claim, claim
 from similitude.program.library import shipped
 
-RECURSION = ("expected", "residual", "normal", "theta")  # the unnumbered lines after eq 27
+RECURSION = ("expected", "residual", "normal", "moved")  # the unnumbered lines after eq 27
 REGRESSOR = ("y", "phi")  # eq 26
 HIGH_PASS = tuple(  # section 6: the Bessel filter of both signals, as two sections each
     f"{signal}_{name}"

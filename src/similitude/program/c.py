@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+import sympy as sp
+
 from similitude.program.ir import Assign, Field, Program, Statement, When, walk, without_unread
 from similitude.program.text import C, Language, count_operations, expression_text
 
@@ -93,7 +95,26 @@ def _scope(program: Program, mutable: set[str]) -> _Scope:
     """Structs are read and written where they stand: what is copied early only waits, on the stack."""
     places = _places(program.config, "config") | _places(program.sample, "sample")
     names = places | _places(program.state, "state") | _element(program.state)
-    return _Scope(program.name, frozenset(mutable), replace(C, names=names))
+    return _Scope(program.name, frozenset(mutable), replace(C, names=names, whole=whole_variables(program)))
+
+
+def whole_variables(program: Program) -> frozenset[str]:
+    """Variables of a step that are nothing but flags and codes: set to whole constants, compared with constants.
+
+    They are printed as ``int``; the twin's floats take the same ways.
+    """
+    found = {f.name for f in program.variables if f.size == 1}
+    for s in walk(program.step):
+        node = s.condition if isinstance(s, When) else s.expression
+        if isinstance(s, Assign) and not s.expression.is_Integer:
+            found.discard(s.target)
+        plain = {r: sp.true for r in node.atoms(sp.core.relational.Relational) if _with_constant(r)}
+        found -= {symbol.name for symbol in node.xreplace(plain).free_symbols}
+    return frozenset(found)
+
+
+def _with_constant(r: sp.core.relational.Relational) -> bool:
+    return r.lhs.is_Symbol and r.rhs.is_Rational and r.rel_op in ("<", ">", "<=", ">=")
 
 
 def print_c(program: Program) -> str:
@@ -204,7 +225,8 @@ def _body(body: Iterable[Statement], scope: _Scope, depth: int) -> list[str]:
         if isinstance(s, When):
             lines += _guard(s, scope, depth)
             continue
-        text = expression_text(s.expression, scope.language)
+        is_whole = s.target in scope.language.whole
+        text = str(int(s.expression)) if is_whole else expression_text(s.expression, scope.language)
         kind = "" if s.target in scope.mutable else f"const {scope.name}_real "
         comment = f" /* {s.comment} */" if s.comment else ""
         target = scope.language.names.get(s.target, s.target)
@@ -241,6 +263,10 @@ def _init(program: Program) -> str:
     return "\n".join(lines)
 
 
+def _declared(name: str, scope: _Scope) -> str:
+    return f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+
+
 # The structs are four objects, said to the compiler by restrict: it may read a number again instead of
 # keeping a copy on the stack.
 def _advance(program: Program) -> str:
@@ -258,12 +284,12 @@ def _advance(program: Program) -> str:
         f"                                     {name}_output *restrict output)",
         "{",
         *_arrays(program.state, name),
-        *[f"    {name}_real {n} = R(0.0);" for n in sorted((outputs | working) & written)],
+        *[_declared(n, scope) for n in sorted((outputs | working) & written)],
         "",
         *_body(program.step, scope, 1),
         "",
         *_stores(program.output, written, "output"),
-        "    return (int)status;",
+        "    return status;" if "status" in scope.language.whole else "    return (int)status;",
         "}\n",
     ]
     return "\n".join(lines)

@@ -29,6 +29,7 @@ class Language:
     negation: str
     magnitude: str = "abs({})"
     names: Mapping[str, str] = field(default_factory=dict)  # symbols that are written otherwise
+    whole: frozenset[str] = frozenset()  # symbols that are integers, and compared with constants alone
 
 
 C = Language("R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "MAGNITUDE({})")
@@ -153,6 +154,9 @@ class _Printer:
         return self.language.magnitude.format(self.text(node.args[0]))
 
     def _relation(self, node: sp.core.relational.Relational) -> str:
+        if isinstance(node.lhs, sp.Symbol) and node.lhs.name in self.language.whole:
+            bound = sp.ceiling(node.rhs) if node.rel_op in ("<", ">=") else sp.floor(node.rhs)
+            return f"{self._symbol(node.lhs)} {node.rel_op} {int(bound)}"
         return f"{self._bracket(node.lhs)} {node.rel_op} {self._bracket(node.rhs)}"
 
     def _and(self, node: sp.And) -> str:
