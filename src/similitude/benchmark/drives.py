@@ -8,12 +8,15 @@ turn, and differ otherwise in their sensors' noise alone.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.benchmark.cells import PLANTS, Cell
+from similitude.benchmark.acting_stiffness import acting_stiffness
+from similitude.benchmark.cells import Cell
 from similitude.benchmark.kept_drives import kept
 from similitude.simulation.car import Car, generator
 from similitude.simulation.foreign import VEHICLES, foreign_car
@@ -103,11 +106,25 @@ def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
 def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
     """One drive of a foreign plant, simulated once and kept; the cars take turns."""
     vehicle = list(VEHICLES)[seed % len(VEHICLES)]
-    made = kept(
-        {"scenario": cell.changes, "vehicle": vehicle, "seed": seed},
-        lambda: columns(run_scenario(scenario(cell, vehicle), [seed])[0]),
-    )
-    return _told(made, foreign_car(PLANTS[cell.plant]["model"], vehicle).L)
+    return foreign_drive(scenario(cell, vehicle), seed, {"scenario": cell.changes, "vehicle": vehicle})
+
+
+def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any]) -> tuple[Drive, Truth]:
+    """Return one drive of a foreign plant, whose true K is that with which its front axle acts.
+
+    Parameters
+    ----------
+    scenario : Scenario   with the plant's model and vehicle
+    seed : int
+    description : mapping   all that the scenario depends on, by which the drive is kept
+    """
+    car = foreign_car(scenario.plant.model, scenario.plant.vehicle)
+
+    def made() -> dict[str, Array]:
+        one = run_scenario(scenario, [seed])[0]
+        return columns(one) | {"K": acting_stiffness(one.truth, car)}
+
+    return _told(kept({**description, "seed": seed, "K": "acting"}, made), car.L)
 
 
 def columns(one: Recording) -> dict[str, Array]:

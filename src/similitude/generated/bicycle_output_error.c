@@ -367,7 +367,8 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
             if ((state->A > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
                 spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/state->A) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/state->A);
-                state->information = state->information + (psi*psi)/spread;
+                const bicycle_output_error_real told = (psi*psi)/spread; /* by this sample */
+                state->information = state->information + told;
             }
             status = 0;
             if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {

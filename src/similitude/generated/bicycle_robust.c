@@ -394,7 +394,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                             if ((d_3 > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
                                 spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3));
-                                state->information = state->information + (state->K*state->K)*(w_3*w_3)/spread;
+                                const bicycle_robust_real told = (state->K*state->K)*(w_3*w_3)/spread; /* by this sample */
+                                state->information = state->information + told;
                             }
                             status = 0;
                             if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
@@ -473,7 +474,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restri
                     if ((normal > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
                         spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                         state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal));
-                        state->information = state->information + (state->K*state->K)*(psi*psi)/spread;
+                        const bicycle_robust_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */
+                        state->information = state->information + told;
                     }
                     status = 0;
                     if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {

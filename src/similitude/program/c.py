@@ -60,7 +60,7 @@ _MAGNITUDE = """\
 
 # The batch loop advances a state of its own: no write through a pointer can reach it, so the compiler
 # need not write it back after every sample (a fifth of the population filter's time, a third of the paper's).
-_LOOPS = """\
+LOOPS = """\
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
                                const {name}_sample *sample, {name}_output *output)
@@ -147,7 +147,7 @@ def print_c(program: Program) -> str:
     bodies = [_init(program), _advance(program)]
     if any("MAGNITUDE(" in body for body in bodies):
         parts.insert(1, _MAGNITUDE)
-    parts += [*bodies, _LOOPS.format(name=name)]
+    parts += [*bodies, LOOPS.format(name=name)]
     return "\n".join(parts)
 
 
