@@ -23,6 +23,7 @@ from similitude.filter_run import Pass, Setup
 from similitude.monitor_config import DESIGN as MONITOR
 from similitude.program.library import Library, shipped
 from similitude.saved_state import SavedState, StateError, fits
+from similitude.servo import Servo
 from similitude.time_scales import DAY, DRIFT, TimeScales
 from similitude.vehicle_file import Vehicle
 
@@ -32,6 +33,7 @@ BIAS_STD = 0.5e-3  # rad/s: a gyro's bias from one switch-on to the next
 EPOCH = 1e5  # s: a later time stamp is a clock's, not a time into the drive
 AFTER_A_STOP = 2 * DESIGN["gap"]  # s: enough for the dynamics to start anew
 TAIL = 0.5  # s of steer kept, longer than any lag
+SERVO_TAIL = 25.0  # time constants of a servo, which has forgotten what was before them
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,13 +64,14 @@ class TakenUp:
 def remember(vehicle: Vehicle, done: Pass, seen: Watch, scales: TimeScales, lag_std: float) -> SavedState:
     """The state after a drive; ``lag_std`` the sd of ln K that its steer lag adds [-]."""
     setup, log = done.setup, done.setup.log
-    late = (log.t > log.t[-1] - TAIL) & np.isfinite(log.delta)
+    late = (log.t > log.t[-1] - TAIL - SERVO_TAIL * setup.servo.constant) & np.isfinite(log.delta)
     return SavedState(
         made_for=made_for(vehicle, setup),
         settings={
             "yaw_rate_noise": float(setup.noise_std),
             "steer_scale_std": float(setup.input_scale_sd),
             "steer_lag": float(setup.lag),
+            **_servo(setup.servo),
             "ln_K_std_of_lag": float(lag_std),
         },
         clock=float(log.t[-1]),
@@ -77,6 +80,12 @@ def remember(vehicle: Vehicle, done: Pass, seen: Watch, scales: TimeScales, lag_
         monitor=seen.state.tolist(),
         tyre=scales.kept,
     )
+
+
+def _servo(servo: Servo) -> dict[str, float]:
+    """Its settings; a slew without limit is left out, as a file holds no infinity."""
+    slew = {} if np.isinf(servo.slew) else {"steer_servo_slew": float(servo.slew)}
+    return {"steer_servo": float(servo.constant)} | slew
 
 
 def made_for(vehicle: Vehicle, setup: Setup) -> dict[str, Any]:

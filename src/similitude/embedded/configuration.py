@@ -142,6 +142,10 @@ def _values(
         from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 
         return paper_config(library, sample_time=step, L=L, noise_std=noise, **PAPER_GROUPS)
+    if estimator == "scalar_population":
+        from similitude.estimators.scalar_design import scalar_config
+
+        return scalar_config(library, prior, sample_time=step, L=L, noise_std=noise)
     from similitude.estimators.ladder_design import ladder_config
 
     return ladder_config(library, prior, sample_time=step, L=L, noise_std=noise)

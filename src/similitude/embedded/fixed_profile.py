@@ -25,14 +25,17 @@ from similitude.estimators.filter_fields import Layout
 from similitude.estimators.fixed_ranges import (
     DERIVED,
     Names,
+    as_stated,
     band_derived,
     band_ranges,
     paper_derived,
     paper_ranges,
+    scalar_ranges,
 )
 from similitude.estimators.ladder_design import LIMIT_SD, ROOM, SLOW_PI3
 from similitude.estimators.paper_design import bessel_biquads
 from similitude.estimators.paper_sums import paper_sums
+from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.program.c import print_c
 from similitude.program.fixed.bounds import Ranges
 from similitude.program.fixed.c import print_fixed_c
@@ -43,7 +46,7 @@ from similitude.program.python import print_python
 from similitude.vehicle_file import read_vehicle
 from similitude.vehicle_prior import vehicle_prior
 
-FIXED = ("paper", "band")
+FIXED = ("paper", "band", "scalar_population")
 READ = 'docs/embedded.md, "Fixed point"'
 
 
@@ -93,9 +96,10 @@ def fixed_profile(
     else:
         told, numbers = _cars(estimator, find_source(system, estimator), vehicle, sample_time)
     named = DERIVE[estimator](program, told, names)
-    k = round(-math.log2(1 - named["forgetting"]))
-    kept = (named["forgetting"], "-", f"1 - 2^-{k}, nearest to the {told['forgetting']:.9g} stated")
-    numbers = replace(numbers, assumed={**numbers.assumed, "forgetting": kept})
+    if "forgetting" in named:
+        k = round(-math.log2(1 - named["forgetting"]))
+        kept = (named["forgetting"], "-", f"1 - 2^-{k}, nearest to the {told['forgetting']:.9g} stated")
+        numbers = replace(numbers, assumed={**numbers.assumed, "forgetting": kept})
     return made_profile(program, plain, named, RANGES[estimator](program, named, names), numbers)
 
 
@@ -113,13 +117,14 @@ def made_profile(
 
 def _program(estimator: str, reduction: Any) -> Program:
     """The step that is lowered: of the ladder the one that reals have, of the paper the one in sums."""
-    made = {"paper": paper_sums, "band": band_regression}[estimator](reduction)
+    made = MAKE[estimator](reduction)
     return made if made.name.endswith("_fixed") else replace(made, name=f"{made.name}_fixed")
 
 
-DERIVE = {"paper": paper_derived, "band": band_derived}
-RANGES = {"paper": paper_ranges, "band": band_ranges}
-OPEN = {"paper": DERIVED, "band": ()}  # numbers that follow from the others
+MAKE = {"paper": paper_sums, "band": band_regression, "scalar_population": scalar_population_filter}
+DERIVE = {"paper": paper_derived, "band": band_derived, "scalar_population": as_stated}
+RANGES = {"paper": paper_ranges, "band": band_ranges, "scalar_population": scalar_ranges}
+OPEN = {"paper": DERIVED, "band": (), "scalar_population": ()}  # numbers that follow from the others
 
 
 def _users(

@@ -93,6 +93,7 @@ def sample_ranges(numbers: Mapping[str, float], speed: str) -> dict[str, Span]:
         "last_measured": (-o, o),
         f"last_{speed}": (numbers[f"{speed}_least"], s),
         "fresh": (0.0, numbers["settle_samples"] + 1),
+        "started": (0.0, 1.0),
     }
 
 
@@ -220,3 +221,31 @@ def _blocks(program: Program, numbers: Mapping[str, float], stated: Mapping[str,
         "scatter_sum": (0.0, kept * score**2),
         "scatter_weight": (0.0, kept * weight),
     }
+
+
+SCALAR_WIDE = frozenset({"mean_square", "excitation", "weighed"})
+
+
+def as_stated(program: Program, numbers: Mapping[str, float], names: Names) -> dict[str, float]:
+    """Numbers of an estimator that needs no others in fixed point."""
+    return dict(numbers)
+
+
+def scalar_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
+    """Ranges of ``scalar_population``: a model may turn twice as fast as a car is believed to."""
+    turn, jump = K_EDGE * numbers["output_limit"], numbers["output_jump"]
+    variance = numbers["start_variance"]
+    gain = MARGIN * math.sqrt(variance / numbers["noise_variance"]) / 2  # of p s/(s^2 p + R) over all s
+    stated = {
+        **sample_ranges(numbers, names.speed),
+        names.target: (0.0, K_EDGE * numbers[f"{names.target}_high"]),
+        "p": (0.0, variance),
+        "gain": (-gain, gain),
+        "innovation_variance": (0.0, jump**2),
+        **dict.fromkeys(("y", "y_slope"), (-turn, turn)),
+    }
+    constants, _ = settled(program, numbers)
+    found = walked(program, {n: float(v) for n, v in constants.items()}, Ranges(stated))
+    rate = turn * max(map(abs, found["a"]))
+    stated |= dict.fromkeys(("w", "w_slope"), (-rate, rate))
+    return Ranges(stated, SCALAR_WIDE, frozenset({"fresh"}))
