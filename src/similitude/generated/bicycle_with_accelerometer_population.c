@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3058 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 155 reals, configuration 113 reals; no heap, no globals, no libm, C99.
+ * Operations: step 3102 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -105,6 +105,11 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_rate; /* [1/s] rate at which the score of the first unknown is forgotten */
+    bicycle_with_accelerometer_population_real score_limit; /* [-] squared score over its variance that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_most; /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_with_accelerometer_population_real faint_drift; /* [1/s] further diffusion of ln K while a jump could not show */
+    bicycle_with_accelerometer_population_real inv_telling; /* [-] 1/information of late in which a jump shows */
     bicycle_with_accelerometer_population_real observed_least; /* [-] least share of the disturbance taken as observed */
     bicycle_with_accelerometer_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
     bicycle_with_accelerometer_population_real gap;  /* [s] longest time without a usable sample before a restart */
@@ -153,6 +158,8 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     bicycle_with_accelerometer_population_real jump; /* [-] surprise taken as a jump of the first unknown */
     bicycle_with_accelerometer_population_real surprise; /* [-] recent mean of the normalised innovation squared */
+    bicycle_with_accelerometer_population_real score; /* [-] recent slope of the log likelihood along the first unknown */
+    bicycle_with_accelerometer_population_real heard; /* [-] recent information about the first unknown */
     bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
     bicycle_with_accelerometer_population_real unlearnt; /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -261,6 +268,7 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     bicycle_with_accelerometer_population_real excitation;
     bicycle_with_accelerometer_population_real excited;
     bicycle_with_accelerometer_population_real grip;
+    bicycle_with_accelerometer_population_real heard;
     bicycle_with_accelerometer_population_real information;
     bicycle_with_accelerometer_population_real input_offset;
     bicycle_with_accelerometer_population_real input_scale;
@@ -276,6 +284,7 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     bicycle_with_accelerometer_population_real r_star_plain;
     bicycle_with_accelerometer_population_real restlessness;
     bicycle_with_accelerometer_population_real rho;
+    bicycle_with_accelerometer_population_real score;
     bicycle_with_accelerometer_population_real settling;
     bicycle_with_accelerometer_population_real started;
     bicycle_with_accelerometer_population_real surprise;
@@ -469,6 +478,8 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     P[29] = disturbance_scale*(disturbance_floor*disturbance_floor);
     restlessness = R(0.0);
     jump = R(0.0);
+    score = R(0.0);
+    heard = R(0.0);
     activity = R(0.0);
     excitation = R(0.0);
     excited = R(0.0);
@@ -507,6 +518,8 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->restlessness = restlessness;
     state->jump = jump;
     state->surprise = surprise;
+    state->score = score;
+    state->heard = heard;
     state->excitation = excitation;
     state->excited = excited;
     state->unlearnt = unlearnt;
@@ -574,6 +587,11 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     const bicycle_with_accelerometer_population_real surprise_rate = config->surprise_rate;
     const bicycle_with_accelerometer_population_real jump_ratio = config->jump_ratio;
     const bicycle_with_accelerometer_population_real surprise_limit = config->surprise_limit;
+    const bicycle_with_accelerometer_population_real score_rate = config->score_rate;
+    const bicycle_with_accelerometer_population_real score_limit = config->score_limit;
+    const bicycle_with_accelerometer_population_real score_most = config->score_most;
+    const bicycle_with_accelerometer_population_real faint_drift = config->faint_drift;
+    const bicycle_with_accelerometer_population_real inv_telling = config->inv_telling;
     const bicycle_with_accelerometer_population_real observed_least = config->observed_least;
     const bicycle_with_accelerometer_population_real outlier_ratio = config->outlier_ratio;
     const bicycle_with_accelerometer_population_real gap = config->gap;
@@ -623,6 +641,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real restlessness = state->restlessness;
     bicycle_with_accelerometer_population_real jump = state->jump;
     bicycle_with_accelerometer_population_real surprise = state->surprise;
+    bicycle_with_accelerometer_population_real score = state->score;
+    bicycle_with_accelerometer_population_real heard = state->heard;
     bicycle_with_accelerometer_population_real excitation = state->excitation;
     bicycle_with_accelerometer_population_real excited = state->excited;
     bicycle_with_accelerometer_population_real unlearnt = state->unlearnt;
@@ -706,6 +726,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             excitation = R(0.0);
             excited = R(0.0);
             jump = R(0.0);
+            score = R(0.0);
+            heard = R(0.0);
             surprise = R(1.0);
         }
         if (anew > R(0.5)) { /* nothing is known of them */
@@ -940,7 +962,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - dt*push_rate) ? R(0.0) : R(1.0) - dt*push_rate);
         const bicycle_with_accelerometer_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = drift;
+        diffusion = drift + faint_drift*((R(0.0)) > (R(1.0) - heard*inv_telling) ? R(0.0) : R(1.0) - heard*inv_telling); /* a jump that could not have shown may have come */
         if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
             const bicycle_with_accelerometer_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
             const bicycle_with_accelerometer_population_real keep = R(1.0) - lost;
@@ -1133,9 +1155,15 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
             surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_with_accelerometer_population_real learn = excited*inv_spread;
+            const bicycle_with_accelerometer_population_real keep_score = R(1.0) - ((R(1.0)) < (dt*score_rate) ? R(1.0) : dt*score_rate);
+            const bicycle_with_accelerometer_population_real told = inv_spread*sensitivity;
+            heard = heard*keep_score + sensitivity*told; /* information of late */
+            score = innovation*told + keep_score*score;
+            const bicycle_with_accelerometer_population_real score_variance = prior_information + heard*(R(1.0) + P[42]*heard); /* little is no evidence */
+            const bicycle_with_accelerometer_population_real doubt = ((score_most) < ((score*score)/score_variance - score_limit) ? score_most : (score*score)/score_variance - score_limit);
             const bicycle_with_accelerometer_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
-            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
+            jump = ((doubt) > ((((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0))) ? doubt : (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0)));
             const bicycle_with_accelerometer_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             unlearnt = dt + unlearnt;
             const bicycle_with_accelerometer_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -1282,6 +1310,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             v_star = v_star + gain_0*innovation;
             r_star = r_star + gain_1*innovation;
             disturbance = disturbance + gain_2*innovation;
+            score = score - gain_3*heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             pi1 = pi1 + gain_4*innovation;
             const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
@@ -1680,6 +1709,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     state->restlessness = restlessness;
     state->jump = jump;
     state->surprise = surprise;
+    state->score = score;
+    state->heard = heard;
     state->excitation = excitation;
     state->excited = excited;
     state->unlearnt = unlearnt;

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1414 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 95 reals, configuration 73 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1458 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -96,6 +96,11 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    saturating_bicycle_population_real score_rate;   /* [1/s] rate at which the score of the first unknown is forgotten */
+    saturating_bicycle_population_real score_limit;  /* [-] squared score over its variance that speaks of a jump */
+    saturating_bicycle_population_real score_most;   /* [-] most that it counts for beyond that, in units of surprise */
+    saturating_bicycle_population_real faint_drift;  /* [1/s] further diffusion of ln K while a jump could not show */
+    saturating_bicycle_population_real inv_telling;  /* [-] 1/information of late in which a jump shows */
     saturating_bicycle_population_real observed_least; /* [-] least share of the disturbance taken as observed */
     saturating_bicycle_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
     saturating_bicycle_population_real gap;          /* [s] longest time without a usable sample before a restart */
@@ -128,6 +133,8 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     saturating_bicycle_population_real jump;         /* [-] surprise taken as a jump of the first unknown */
     saturating_bicycle_population_real surprise;     /* [-] recent mean of the normalised innovation squared */
+    saturating_bicycle_population_real score;        /* [-] recent slope of the log likelihood along the first unknown */
+    saturating_bicycle_population_real heard;        /* [-] recent information about the first unknown */
     saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
     saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
     saturating_bicycle_population_real unlearnt;     /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -203,6 +210,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     saturating_bicycle_population_real excitation;
     saturating_bicycle_population_real excited;
     saturating_bicycle_population_real grip;
+    saturating_bicycle_population_real heard;
     saturating_bicycle_population_real information;
     saturating_bicycle_population_real input_offset;
     saturating_bicycle_population_real input_scale;
@@ -216,6 +224,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     saturating_bicycle_population_real r_star_plain;
     saturating_bicycle_population_real restlessness;
     saturating_bicycle_population_real rho;
+    saturating_bicycle_population_real score;
     saturating_bicycle_population_real settling;
     saturating_bicycle_population_real started;
     saturating_bicycle_population_real surprise;
@@ -329,6 +338,8 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     P[21] = disturbance_scale*(disturbance_floor*disturbance_floor);
     restlessness = R(0.0);
     jump = R(0.0);
+    score = R(0.0);
+    heard = R(0.0);
     activity = R(0.0);
     excitation = R(0.0);
     excited = R(0.0);
@@ -359,6 +370,8 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->restlessness = restlessness;
     state->jump = jump;
     state->surprise = surprise;
+    state->score = score;
+    state->heard = heard;
     state->excitation = excitation;
     state->excited = excited;
     state->unlearnt = unlearnt;
@@ -416,6 +429,11 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     const saturating_bicycle_population_real surprise_rate = config->surprise_rate;
     const saturating_bicycle_population_real jump_ratio = config->jump_ratio;
     const saturating_bicycle_population_real surprise_limit = config->surprise_limit;
+    const saturating_bicycle_population_real score_rate = config->score_rate;
+    const saturating_bicycle_population_real score_limit = config->score_limit;
+    const saturating_bicycle_population_real score_most = config->score_most;
+    const saturating_bicycle_population_real faint_drift = config->faint_drift;
+    const saturating_bicycle_population_real inv_telling = config->inv_telling;
     const saturating_bicycle_population_real observed_least = config->observed_least;
     const saturating_bicycle_population_real outlier_ratio = config->outlier_ratio;
     const saturating_bicycle_population_real gap = config->gap;
@@ -449,6 +467,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real restlessness = state->restlessness;
     saturating_bicycle_population_real jump = state->jump;
     saturating_bicycle_population_real surprise = state->surprise;
+    saturating_bicycle_population_real score = state->score;
+    saturating_bicycle_population_real heard = state->heard;
     saturating_bicycle_population_real excitation = state->excitation;
     saturating_bicycle_population_real excited = state->excited;
     saturating_bicycle_population_real unlearnt = state->unlearnt;
@@ -528,6 +548,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             excitation = R(0.0);
             excited = R(0.0);
             jump = R(0.0);
+            score = R(0.0);
+            heard = R(0.0);
             surprise = R(1.0);
         }
         if (anew > R(0.5)) { /* nothing is known of them */
@@ -733,7 +755,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
         const saturating_bicycle_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = drift;
+        diffusion = drift + faint_drift*((R(0.0)) > (R(1.0) - heard*inv_telling) ? R(0.0) : R(1.0) - heard*inv_telling); /* a jump that could not have shown may have come */
         if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
             const saturating_bicycle_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
             const saturating_bicycle_population_real keep = R(1.0) - lost;
@@ -868,9 +890,15 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
             surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
             const saturating_bicycle_population_real learn = excited*inv_spread;
+            const saturating_bicycle_population_real keep_score = R(1.0) - ((R(1.0)) < (dt*score_rate) ? R(1.0) : dt*score_rate);
+            const saturating_bicycle_population_real told = inv_spread*sensitivity;
+            heard = heard*keep_score + sensitivity*told; /* information of late */
+            score = innovation*told + keep_score*score;
+            const saturating_bicycle_population_real score_variance = prior_information + heard*(R(1.0) + P[30]*heard); /* little is no evidence */
+            const saturating_bicycle_population_real doubt = ((score_most) < ((score*score)/score_variance - score_limit) ? score_most : (score*score)/score_variance - score_limit);
             const saturating_bicycle_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
-            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
+            jump = ((doubt) > ((((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0))) ? doubt : (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0)));
             const saturating_bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             unlearnt = dt + unlearnt;
             const saturating_bicycle_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -959,6 +987,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             v_star = v_star + gain_0*innovation;
             r_star = r_star + gain_1*innovation;
             disturbance = disturbance + gain_2*innovation;
+            score = score - gain_3*heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             pi1 = pi1 + gain_4*innovation;
             const saturating_bicycle_population_real move_eta = gain_5*innovation;
@@ -1053,6 +1082,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     state->restlessness = restlessness;
     state->jump = jump;
     state->surprise = surprise;
+    state->score = score;
+    state->heard = heard;
     state->excitation = excitation;
     state->excited = excited;
     state->unlearnt = unlearnt;
