@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy accelerometer alarms spacing ladder cross-check damage embedded populations gallery clean
+.PHONY: demo test check fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -25,6 +25,10 @@ fuzz: $(FUZZ)
 
 bench: $(BENCH)
 	$(BIN)/python -m bench
+
+multi-body: $(DEV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev,plants]"
+	$(BIN)/python scripts/multi_body.py
 
 alarms: $(DEV)
 	$(BIN)/python scripts/alarms.py

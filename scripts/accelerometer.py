@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 from rich.console import Console
 from rich.table import Table
-from tests.montecarlo.banked_fleet import banked_scores
+from tests.banked_fleet import banked_scores
 
 CARS = 24
 ROADS = {"level, still": (0.0, 0.0), "banked": (0.3, 0.0), "banked, gusts": (0.3, 0.1)}  # sd [m/s^2]

@@ -10,8 +10,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
+import numpy as np
 from rich.console import Console
 from rich.table import Table
+from tests.montecarlo.drift_bound import DRIFT, rms_and_bound
 from tests.montecarlo.experiment import fleet, score
 from tests.montecarlo.test_batch import NO_LAG, coverage, nuisance_fleet
 from tests.montecarlo.test_cells import DRIVES
@@ -36,6 +38,22 @@ def main() -> None:
     console = Console(width=110)
     console.print(table)
     console.print(batch_table())
+    console.print(bound_table())
+
+
+def bound_table() -> Table:
+    """The filter with a fixed drift of ln K against the bound for that drift."""
+    table = Table(title=f"ln K taken to drift by {DRIFT:g} /s: rms against the Cramér-Rao bound, 40 cars")
+    for name in ("steer", "rms", "bound", "ratio"):
+        table.add_column(name, justify="right")
+    for steer_rms in (3e-3, 10e-3):
+        rms, bound = (
+            float(np.sqrt(np.mean(x**2))) for x in rms_and_bound(fleet(2, cars=40, steer_rms=steer_rms))
+        )
+        table.add_row(
+            f"{1000 * steer_rms:g} mrad", f"{100 * rms:.1f} %", f"{100 * bound:.1f} %", f"{rms / bound:.2f}"
+        )
+    return table
 
 
 def batch_table() -> Table:

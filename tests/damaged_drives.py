@@ -188,6 +188,28 @@ def clipped(name):
     return damage
 
 
+def overflowing(name):
+    """A sensor whose range, 50 to 90 % of what it should have shown, goes round."""
+
+    def damage(drive, rng):
+        column = drive.columns[name]
+        middle, span = np.median(column), rng.uniform(0.5, 0.9) * np.ptp(column)
+        return {**drive.columns, name: (column - middle + span / 2) % span - span / 2 + middle}
+
+    return damage
+
+
+def dead_banded(name):
+    """A sensor that reads nothing below a tenth to half of its standard deviation."""
+
+    def damage(drive, rng):
+        column = drive.columns[name]
+        least = rng.uniform(0.1, 0.5) * np.nanstd(column)
+        return {**drive.columns, name: np.where(np.abs(column) < least, 0.0, column)}
+
+    return damage
+
+
 def spiked(name):
     """One to ten single values thrown off by half to three times the range."""
 

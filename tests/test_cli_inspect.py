@@ -37,6 +37,18 @@ def test_a_log_that_identify_refuses_is_looked_at_too(inspect):
     assert code == 0 and "refused by identify" in out
 
 
+def test_a_table_below_facts_about_the_recording_is_looked_at_too(inspect, tmp_path):
+    facts = tmp_path / "facts.csv"
+    facts.write_text("Logger;X-12\nDriver: B\n\n" + pathlib.Path(RAV4).read_text())
+
+    code, out, err = inspect(facts, "--json")
+
+    found = json.loads(out)
+    assert (code, err) == (0, "")
+    assert ["late_header"] == [one["fault"] for one in found["findings"] if one["refuses"]]
+    assert found["columns"][0]["header"] == "t [s]"
+
+
 def test_nothing_to_look_at_is_3_and_does_not_stop_the_others(inspect, tmp_path):
     picture = tmp_path / "picture.csv"
     picture.write_bytes(b"\x89PNG\r\n\x1a\n")

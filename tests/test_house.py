@@ -27,7 +27,7 @@ FLOW = (
     "estimators generated",
     "vehicle_values vehicle_checks vehicle_file noise",
     "finding readers log_quantities log_names log_columns log_time log_cells log_plausibility",
-    "log_following log_sensors log_speed log_response log_fixes",
+    "signal_faults log_following log_sensors log_speed log_response log_fixes",
     "log_survey log",
     "populations",
     "accelerometer vehicle_prior filter_config coarse_log slow_bus filter_run steer_lag",

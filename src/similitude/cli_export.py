@@ -32,7 +32,9 @@ def export(
             help="What to export; left out, the one a FILE.py holds.",
         ),
     ] = None,
-    real: Annotated[str | None, typer.Option(metavar="float|double", help="Type of every number.")] = None,
+    real: Annotated[
+        str | None, typer.Option(metavar="float|double|fixed", help="Type of every number.")
+    ] = None,
     target: Annotated[
         str | None,
         typer.Option(metavar="cortex-m4f|cortex-m3|cortex-m0|rv32|avr|host", help="Where it will run."),

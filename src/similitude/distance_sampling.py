@@ -1,7 +1,8 @@
 """Rows at equal distances instead of equal times: dimensionless time t U/L is then uniform at any speed.
 
-Invariant: a row holds the means of steer, speed and yaw rate over the same stretch, half before and
-half behind it, so what relates them is unchanged; what was mostly not measured is missing.
+Invariant: a row holds the means of speed and yaw rate over the same stretch, half before and half behind
+it, and the straight lines between its steers those of the steer (`lines_of_means`), so what relates them is
+unchanged; what was mostly not measured is missing.
 
     s distance travelled [m];  ds spacing of the rows [m];  L wheelbase [m];  U speed [m/s]
 
@@ -16,6 +17,7 @@ from dataclasses import fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from similitude.coarse_log import lines_of_means
 from similitude.errors import LogError, UsageError
 from similitude.log import Log
 from similitude.log_time import FEWEST_ROWS
@@ -63,6 +65,7 @@ def by_distance(log: Log, spacing: float, *, wheelbase: float) -> Log:
         )
     around = np.clip(np.append(edges - 0.5 * spacing, s[-1]), 0.0, s[-1])
     columns = {name: _mean_over(s, getattr(log, name), around) for name in ("delta", "r", "U")}
+    columns["delta"][2:-2] = lines_of_means(columns["delta"])[2:-2]  # the outer stretches are cut short
     ay = None if log.ay is None else _mean_over(s, log.ay, around)
     return replace(log, t=_when(s, log.t, edges), ay=ay, **columns)
 

@@ -21,6 +21,8 @@ from similitude.log_columns import Column, column_of
 from similitude.log_plausibility import fill_rows
 from similitude.log_sensors import cut_rows, spike_rows, straight_rows, stuck_rows
 from similitude.log_time import counter_period, restarts, runs_of_times
+from similitude.signal_faults.dead_band import dead_rows
+from similitude.signal_faults.overflow import overflow, unwrapped
 from similitude.units import parse_unit
 
 Values = dict[str, np.ndarray]
@@ -180,6 +182,18 @@ def _emptied(find: Callable[[Values, str], np.ndarray], names: Sequence[str]):
     return apply
 
 
+def _unwrap_overflow(values: Values, columns: Mapping[str, Column]) -> tuple[Values, str]:
+    whole, said = dict(values), []
+    for name in [name for name in ("delta", "steering_wheel", "r") if name in values]:
+        found = overflow(values[name])
+        if found is not None:
+            whole[name] = unwrapped(values[name])
+            said.append(
+                f"{np.count_nonzero(found.turns)} cells of {column_of(name, columns).header} counted on"
+            )
+    return whole, ", ".join(said) or "no column goes round"
+
+
 def _reads(name: str, unit: str) -> Callable[[Values, Mapping[str, Column]], tuple[Values, str]]:
     """The repair that reads the numbers of a column in another unit than its header says."""
 
@@ -218,12 +232,17 @@ FIXES = {
     "sort_time": Fix("put the rows in the order of their time", "t", _sort_time),
     "drop_repeated_rows": Fix("keep the first row of each time", "t", _drop_repeated_rows),
     "spread_times": Fix("spread rows of one rounded time evenly up to the next", "t", _spread_times),
+    "unwrap_overflow": Fix(
+        "count on where a steer or yaw rate goes on at the other end of its range", "t", _unwrap_overflow
+    ),
     "yaw_rate_is_deg_per_s": Fix("read the yaw rate in deg/s", "r", _reads("r", "deg/s")),
     "yaw_rate_is_rad_per_s": Fix("read the yaw rate in rad/s", "r", _reads("r", "rad/s")),
     "steer_is_deg": Fix("read the steer in deg", "delta", _reads("delta", "deg")),
     "steer_is_rad": Fix("read the steer in rad", "delta", _reads("delta", "rad")),
     "speed_is_kmh": Fix("read the speed in km/h", "U", _reads("U", "km/h")),
     "speed_is_m_per_s": Fix("read the speed in m/s", "U", _reads("U", "m/s")),
+    "speed_is_mph": Fix("read the speed in mph", "U", _reads("U", "mph")),
+    "speed_is_knots": Fix("read the speed in knots", "U", _reads("U", "kn")),
     "flip_steer_sign": Fix("turn the sign of the steer round", "delta", _turned("delta")),
     "flip_yaw_rate_sign": Fix("turn the sign of the yaw rate round", "r", _turned("r")),
     "flip_speed_sign": Fix("turn the sign of the speed round", "U", _turned("U")),
@@ -247,6 +266,11 @@ FIXES = {
         "leave single cells empty that stand out from both neighbours",
         "t",
         _emptied(lambda values, name: spike_rows(values[name]), SENSORS),
+    ),
+    "drop_dead_band": Fix(
+        "leave cells of the yaw rate empty whose small value was set to zero",
+        "r",
+        _emptied(lambda values, name: dead_rows(values[name]), ("r",)),
     ),
     "hold_slow_columns": Fix(
         "hold steer and speed from one value to the next where they are slower than the file",

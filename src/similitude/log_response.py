@@ -282,10 +282,7 @@ def _explain(factor: float, columns: Mapping[str, Column], likely: float) -> tup
         faults.append((degree / steer.unit.factor, f"{shown(steer.header)} is in deg", "steer_is_deg"))
     if not np.isclose(steer.unit.factor, 1.0):
         faults.append((1 / steer.unit.factor, f"{shown(steer.header)} is in rad", "steer_is_rad"))
-    if not np.isclose(speed.unit.factor, 1 / 3.6):
-        faults.append((1 / 3.6 / speed.unit.factor, f"{shown(speed.header)} is in km/h", "speed_is_kmh"))
-    if not np.isclose(speed.unit.factor, 1.0):
-        faults.append((1 / speed.unit.factor, f"{shown(speed.header)} is in m/s", "speed_is_m_per_s"))
+    faults += [(1 / factor, words, repair) for factor, words, repair in _other_speeds(speed)]
     if "delta" in columns:
         faults.append((1 / 15.0, f"{shown(steer.header)} is the angle of the steering wheel",
                        f'--map "steering_wheel={name}"'))  # fmt: skip
@@ -305,6 +302,24 @@ def _explain(factor: float, columns: Mapping[str, Column], likely: float) -> tup
     return f"{words}; or the wheelbase is wrong.", f"--fix {repair}", repair
 
 
+# Units of speed that are taken for each other: (SI value, unit, repair)
+SPEEDS = (
+    (1 / 3.6, "km/h", "speed_is_kmh"),
+    (1.0, "m/s", "speed_is_m_per_s"),
+    (0.44704, "mph", "speed_is_mph"),
+    (1852 / 3600, "knots", "speed_is_knots"),
+)
+
+
+def _other_speeds(speed: Column) -> list[tuple[float, str, str]]:
+    """By how much the speed is too large were it in another unit than its header says, words, repair."""
+    return [
+        (speed.unit.factor / size, f"{shown(speed.header)} is in {unit}", repair)
+        for size, unit, repair in SPEEDS
+        if not np.isclose(size, speed.unit.factor)
+    ]
+
+
 def _acceleration(values: Mapping[str, np.ndarray], moving: np.ndarray) -> Relation | None:
     if "ay" not in values:
         return None
@@ -314,11 +329,11 @@ def _acceleration(values: Mapping[str, np.ndarray], moving: np.ndarray) -> Relat
     return relate(values["t"], turning, values["ay"], level_counts=False)
 
 
-# ay is U r and the change of lateral speed, read by a sensor that rolls with the body: 0.8 to 1.3.
-LEAST_AY, MOST_AY = 0.7, 1.45
+# ay is U r and the change of lateral speed, read by a sensor that rolls with the body: 0.8 to 1.25.
+LEAST_AY, MOST_AY = 0.7, 1.33
 ALIKE_AY = 0.9
 UNEXPLAINED_AY = 1.5
-CERTAIN_AY = 1.3  # so that 3.6 is certain, and a sensor far off the centre of gravity is not
+CERTAIN_AY = 0.54, 1.88  # so that 3.6 is certain, and a sensor far off the centre of gravity is not
 
 
 def _judge_acceleration(relation: Relation, columns: Mapping[str, Column], file: str) -> list[Finding]:
@@ -336,8 +351,9 @@ def _judge_acceleration(relation: Relation, columns: Mapping[str, Column], file:
     if beyond <= 1:
         return []
     guess, paste, fix = _explain_ay(1 / relation.slope, columns)
+    certain = relation.high < CERTAIN_AY[0] or relation.low > CERTAIN_AY[1]
     return [Finding(
-        "ay_against_yaw", bool(beyond > CERTAIN_AY) and fix is not None,
+        "ay_against_yaw", bool(certain) and fix is not None,
         f"column {shown(header)} of {file} is {relation.slope:.3g} times U r; {LEAST_AY:g} to {MOST_AY:g} "
         "is what a car has", guess, paste, READ, column=header, value=relation.slope, fix=fix,
     )]  # fmt: skip
@@ -350,8 +366,7 @@ def _explain_ay(factor: float, columns: Mapping[str, Column]) -> tuple[str, str,
     faults = [
         (1 / degree * rate.unit.factor, f"{shown(rate.header)} is in deg/s", "yaw_rate_is_deg_per_s"),
         (rate.unit.factor, f"{shown(rate.header)} is in rad/s", "yaw_rate_is_rad_per_s"),
-        (3.6 * speed.unit.factor, f"{shown(speed.header)} is in km/h", "speed_is_kmh"),
-        (speed.unit.factor, f"{shown(speed.header)} is in m/s", "speed_is_m_per_s"),
+        *_other_speeds(speed),
         (GRAVITY / side.unit.factor, f"{shown(side.header)} is in g", None),
         (1 / side.unit.factor, f"{shown(side.header)} is in m/s^2", None),
     ]

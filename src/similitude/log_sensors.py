@@ -17,6 +17,7 @@ from similitude.finding import Finding
 from similitude.log_columns import Column, column_of
 from similitude.log_following import cut_off, cut_short, unanswered
 from similitude.log_plausibility import STANDSTILL
+from similitude.signal_faults.dead_band import dead_band
 
 CHANCE = 1e-3  # expected number of such stretches in the log, were it chance
 SHORTEST_STUCK = 0.5  # s; a held value of a slow bus is shorter
@@ -54,22 +55,38 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
                       spikes; each with the rows
     """
     found = []
+    dead = _dead_rows(values)
     for name in [name for name in WORDS if name in values]:
         header = column_of(name, columns).header
-        found += _said(name, header, "stuck", stuck_rows(values, name), values["t"])
+        stuck = stuck_rows(values, name) & ~(dead if name == "r" else False)
+        found += _said(name, header, "stuck", stuck, values["t"])
         if name != "U":
             found += _said(name, header, "clipped", cut_rows(values, name), values["t"])
         found += _said(name, header, "spikes", spike_rows(values[name]), values["t"])
     if "r" in values:
         header = columns["r"].header
         found += _said("r", header, "interpolated", straight_rows(values["t"], values["r"]), values["t"])
+        found += _said("r", header, "dead_band", dead, values["t"])
     return found
+
+
+def _dead_rows(values: Mapping[str, np.ndarray]) -> np.ndarray:
+    """Rows (n,) in which the yaw rate of a moving car was set to one number, being small."""
+    rate = values.get("r", np.zeros(0))
+    moving = np.abs(values["U"]) > STANDSTILL if "U" in values else np.isfinite(rate)
+    found = dead_band(rate[moving]) if rate.size else None
+    return np.zeros(values["t"].size, dtype=bool) if found is None else moving & (rate == found.value)
 
 
 _TEXTS = {
     "stuck": ("does not move at all for {seconds:.3g} s", "the sensor or its bus fell silent.", "drop_stuck"),
     "clipped": ("lies at the end of its range in {count} rows", "the sensor saturated.", "drop_clipped"),
     "spikes": ("has {count} spikes", "single messages were damaged.", "drop_spikes"),
+    "dead_band": (
+        "is one and the same number in {count} rows, and never near it otherwise",
+        "small values were set to zero, and the car seems to answer less: K reads low.",
+        "drop_dead_band",
+    ),
     "interpolated": (
         "lies on straight lines for {seconds:.3g} s",
         "holes, or a slower sensor, were filled in by interpolation: nothing is learnt there.",
@@ -90,7 +107,7 @@ def _said(name: str, header: str, fault: str, rows: np.ndarray, t: np.ndarray) -
         f"column {shown(header)} ({WORDS[name]}) {what.format(seconds=seconds, count=count)}, first in "
         f"data row {first + 1} (t = {t[first]:.6g} s)",
         usually, f"--fix {fix}", READ, column=header,
-        value=float(count) if fault in ("spikes", "clipped") else seconds,
+        value=float(count) if fault in ("spikes", "clipped", "dead_band") else seconds,
         rows=(first + 1, last + 1), fix=fix,
     )]  # fmt: skip
 

@@ -29,6 +29,8 @@ from similitude.log_sensors import check_sensors
 from similitude.log_speed import check_speed_signal
 from similitude.log_time import FEWEST_ROWS, check_time
 from similitude.readers import Table, open_table
+from similitude.signal_faults.overflow import check_overflow
+from similitude.signal_faults.time_scale import check_time_scale
 from similitude.vehicle_file import Vehicle
 
 THIS_LOG = re.compile(r"(?<![A-Z_])LOG\.csv")  # in a line to paste
@@ -108,7 +110,7 @@ def survey(
     columns: dict[str, Column] = {}
     values: dict[str, np.ndarray] = {}
     try:
-        table = open_table(path)
+        table = open_table(path, as_meant=True)
     except LogError as error:
         return Survey(path.stem, path, headers, columns, values, {}, (refusal(error),))
     findings += table.findings
@@ -117,6 +119,8 @@ def survey(
     values, met = _load(table, columns, {BLANKED[name] for name in wanted if name in BLANKED})
     findings += met
     turned = check_turns(values, columns, file=path.name)
+    if "unwrap_overflow" not in wanted:
+        turned = check_overflow(values, columns, file=path.name) | turned
     findings += turned.values()
     values = {name: column for name, column in values.items() if name not in turned}
     sources = {name: _source(column) for name, column in columns.items()}
@@ -200,13 +204,18 @@ def _check(
     in_order = "t" in values and not any(one.certain for one in findings)
     if any(column.size < FEWEST_ROWS for column in values.values()):
         return findings
+    if {"t", "delta", "r"} <= values.keys() and all(one.fault == "too_short" for one in findings):
+        findings = check_time_scale(values, columns, file=file) + findings
     silent = set()
     for name in [name for name in values if name != "t"]:
         met = _check_column(name, values, columns, file)
         silent |= {name} if any(one.certain for one in met) or name not in values else set()
         findings += met
     units = check_units(values, columns, file=file)
-    findings += units
+    side = columns["ay"].header if "ay" in values else ""
+    of_side = [one for one in units if side and one.column == side]
+    units = [one for one in units if one not in of_side]
+    findings += [*units, *(_without_ay(one, values) for one in of_side)]
     sound = {name: column for name, column in values.items() if name not in silent}
     if "U" in sound:
         findings += check_speed(sound["U"], header=columns["U"].header)
@@ -226,7 +235,11 @@ def _check_column(
     header = column_of(name, columns).header
     met = check_column(values[name], header=header, file=file, may_rest=name == "U", held=held)
     if name == "ay" and any(one.certain for one in met):
-        # The only optional column: a bad one is left out and said, instead of refusing the log.
-        met = [replace(one, certain=False, what=f"{one.what}; ay is not used") for one in met]
-        del values["ay"]
+        return [_without_ay(one, values) for one in met]
     return met
+
+
+def _without_ay(finding: Finding, values: dict[str, np.ndarray]) -> Finding:
+    """The only optional column: a bad one is left out and said, instead of refusing the log."""
+    values.pop("ay", None)
+    return replace(finding, certain=False, what=f"{finding.what}; ay is not used")

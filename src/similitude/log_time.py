@@ -37,6 +37,9 @@ COUNTERS = (
     (604800.0, "seconds of the GPS week"),
 )
 
+# What a step of the clock may be counted in: (unit, size [s]), the frequent ones first
+UNITS = (("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("min", 60.0), ("h", 3600.0), ("d", 86400.0))
+
 READ = 'docs/logs.md, "Faults of time"'
 
 
@@ -70,7 +73,7 @@ def check_time(t: np.ndarray, *, header: str, factor: float, file: str) -> list[
     if disorder:
         return disorder
     usual = float(np.median(dt))
-    found = [*_pace(usual, header, column), *_clock_steps(t, dt, usual, header, column, factor)]
+    found = [*_pace(usual, header, column, factor), *_clock_steps(t, dt, usual, header, column, factor)]
     if t[-1] - t[0] < SHORTEST_LOG:
         found.append(_refused(
             "too_short", header, f"{file} lasts {t[-1] - t[0]:.3g} s; {SHORTEST_LOG:g} s are the least",
@@ -187,27 +190,25 @@ def _disorder(t: np.ndarray, dt: np.ndarray, header: str, column: str, factor: f
     )]  # fmt: skip
 
 
-def _pace(usual: float, header: str, column: str) -> list[Finding]:
-    name = header.split("[")[0].strip() or "t"
-    for unit, scale in (("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)):
-        if usual >= 1.0 and 1e-4 <= usual * scale <= 0.5:
-            return [_refused(
-                "time_unit", header,
-                f"{column}: the usual step is {usual:.6g} s, too slow for a driving log",
-                f"these values look like {unit}.", f"{name} [{unit}]", value=usual,
-            )]  # fmt: skip
-    if 2e-5 <= usual <= SLOWEST:
-        return []
-    if usual > SLOWEST:
-        words, unit = "the log was thinned out; 20 rows a second are enough", "s"
+def _pace(usual: float, header: str, column: str, factor: float) -> list[Finding]:
+    raw = usual / factor
+    if usual >= 1.0 or usual < 2e-5 or (usual > SLOWEST and factor != 1):
+        near = [unit for unit, size in UNITS if not np.isclose(size, factor) and 1e-3 <= raw * size <= 0.5]
+        slow = [unit for unit, size in UNITS if size < factor and 1e-4 <= raw * size <= 0.5]
+        unit = (near + slow + [""])[0]
     else:
-        unit = "min" if usual * 60 >= 1e-3 else "h" if usual * 3600 >= 1e-3 else "d"
-        words = f"these values look like {unit}"
-    pace = "slow" if unit == "s" else "fast"
+        unit = ""
+    if not unit and 2e-5 <= usual <= SLOWEST:
+        return []
+    name = header.split("[")[0].strip() or "t"
+    words = f"these values look like {unit}" if unit else (
+        "the log was thinned out; 20 rows a second are enough" if usual > SLOWEST else "the unit is another"
+    )  # fmt: skip
     return [_refused(
-        "time_unit", header, f"{column}: the usual step is {usual:.3g} s, too {pace} for a driving log",
-        f"{words}.", "similitude identify LOG_WITH_MORE_ROWS.csv" if unit == "s" else f"{name} [{unit}]",
-        value=usual,
+        "time_unit", header,
+        f"{column}: the usual step is {usual:.6g} s, too {'slow' if usual > SLOWEST else 'fast'} for a "
+        "driving log", f"{words}.",
+        f"{name} [{unit}]" if unit else "similitude identify LOG_WITH_MORE_ROWS.csv", value=usual,
     )]  # fmt: skip
 
 

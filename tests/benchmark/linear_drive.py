@@ -3,7 +3,7 @@
 import numpy as np
 
 from similitude.benchmark.cells import CHANGE_AT
-from similitude.benchmark.drives import NOISE, Drive, Truth
+from similitude.benchmark.drives import BEHIND, BEHIND_SD, NOISE, Drive, Truth
 from similitude.simulate import bicycle_response
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
@@ -17,7 +17,14 @@ def linear_drive(*, factor=0.5, noise=NOISE, amplitude=0.015, seed=0):
     t = np.arange(8000) / 100
     delta = amplitude * np.sin(np.pi * t) * np.minimum(t, 1)
     stiffness = np.where(t < CHANGE_AT, K, K * factor)
-    r, _ = bicycle_response(t, delta, 22.0, L=L, K=stiffness, **GROUPS)
+    r, beta = bicycle_response(t, delta, 22.0, L=L, K=stiffness, **GROUPS)
+    ay = 22.0 * np.gradient(beta, t) + 22.0 * r + (GROUPS["pi1"] * L - BEHIND) * np.gradient(r, t)
     r = r + noise * np.random.default_rng(seed).standard_normal(t.size)
-    car = Vehicle("test", L=Uncertain(L, None, "m"), yaw_rate_noise=Uncertain(NOISE, None, "rad/s"))
-    return Drive(t, delta, r, np.full(t.size, 22.0), car), Truth(stiffness, delta, GROUPS)
+    ay = ay + 0.1 * np.random.default_rng(seed + 1).standard_normal(t.size)
+    car = Vehicle(
+        "test",
+        L=Uncertain(L, None, "m"),
+        yaw_rate_noise=Uncertain(NOISE, None, "rad/s"),
+        accelerometer=Uncertain(BEHIND, BEHIND_SD, "m"),
+    )
+    return Drive(t, delta, r, np.full(t.size, 22.0), ay, car), Truth(stiffness, delta, GROUPS)

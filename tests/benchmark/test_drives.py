@@ -44,6 +44,6 @@ def test_cars_scatter_as_the_population_does_and_none_oversteers():
 def test_an_estimator_sees_no_truth():
     drive, _ = drives(Cell("slalom", "linear", "none", 1), 5)[0]
 
-    assert {f.name for f in fields(Drive)} == {"t", "delta", "r", "U", "vehicle"}
+    assert {f.name for f in fields(Drive)} == {"t", "delta", "r", "U", "ay", "vehicle"}
     assert drive.vehicle.Caf is None and drive.vehicle.m is None and drive.noise == NOISE
     assert drive.until(50.0).t[-1] < 50.0

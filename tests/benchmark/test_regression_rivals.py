@@ -20,7 +20,7 @@ def average_drive():
     delta = 0.01 * sum(np.sin(2 * np.pi * f * t + f) for f in (0.3, 0.7, 1.3))
     eta, rho = RATIO * (1 - P1) / P1, PI5 / (P1 * (1 - P1))
     r, _ = bicycle_response(t, delta, 22.0, L=L, K=K, pi1=P1, eta=eta, rho=rho)
-    return Drive(t, delta, r, given.U, given.vehicle)
+    return Drive(t, delta, r, given.U, given.ay, given.vehicle)
 
 
 def rivals():

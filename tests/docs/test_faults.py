@@ -6,7 +6,8 @@ from pathlib import Path
 from similitude.log_fixes import FIXES
 
 ROOT = Path(__file__).parents[2]
-SOURCES = [*(ROOT / "src/similitude").glob("log_*.py"), *(ROOT / "src/similitude/readers").glob("*.py")]
+PLACES = ("log_*.py", "readers/*.py", "signal_faults/*.py")
+SOURCES = [path for place in PLACES for path in (ROOT / "src/similitude").glob(place)]
 TEXT = (ROOT / "docs/logs.md").read_text(encoding="utf-8")
 
 

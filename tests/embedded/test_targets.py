@@ -11,7 +11,7 @@ from similitude.errors import UsageError
     [
         ("stm32f4", "float", "is not known"),
         ("avr", "double", "four bytes"),
-        ("cortex-m0", "fixed", "is not exported"),
+        ("cortex-m0", "int32", "is not exported"),
     ],
 )
 def test_what_a_target_cannot_be_or_hold_is_said(name, real, said):

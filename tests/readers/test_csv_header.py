@@ -7,6 +7,7 @@ import pytest
 
 from similitude.errors import LogError
 from similitude.log import read_log
+from similitude.log_survey import survey
 
 from ..log_text import HEADERS, csv_text, drive
 
@@ -68,3 +69,16 @@ def test_a_header_in_the_first_line_is_let_alone(tmp_path, text):
         read_log(path)
     except LogError as error:
         assert error.fault not in ("late_header", "second_header")
+
+
+@pytest.mark.parametrize("kind", [kind for kind in TABLES if TABLES[kind][1] != "no_header"])
+def test_who_only_looks_sees_the_table_that_is_meant(tmp_path, kind):
+    text, fault = TABLES[kind]
+    (tmp_path / "drive.csv").write_text(text)
+
+    seen = survey(tmp_path / "drive.csv")
+
+    assert [one.fault for one in seen.certain] == [fault]
+    np.testing.assert_array_equal(
+        np.column_stack([seen.values[name] for name in ("t", "delta", "r", "U")]), TABLE
+    )

@@ -57,6 +57,25 @@ def test_an_accelerometer_does_not_feel_the_bank_pull():
     np.testing.assert_allclose(drive.truth["bank [rad]"], np.deg2rad(3))
 
 
+def test_an_accelerometer_away_from_the_centre_of_gravity_feels_the_turn_begin():
+    """ahead r', with r' from the yaw rate that is written."""
+    behind = 0.5
+    drive = run_scenario(
+        quiet(SATURATING, sensors={"ay_behind": f"{behind} m"}, run__log_rate="200 Hz"), [0]
+    )[0]
+    t, r = drive.log["t [s]"], drive.truth["r [rad/s]"]
+    a = drive.truth["pi1 [-]"][0] * quiet(SATURATING).vehicle.length.value
+    felt = drive.log["ay [m/s^2]"] - drive.truth["ay [m/s^2]"]
+    # central differences over 5 ms of a signal of half a hertz
+    np.testing.assert_allclose(felt[2:-2], (a - behind) * np.gradient(r, t)[2:-2], atol=1e-2)
+    assert np.abs(felt).max() > 0.05
+
+
+def test_the_vehicle_file_tells_the_place_it_is_told():
+    scenario = read_scenario("highway", changes={"told": {"accelerometer": "1.2 ± 0.05 m"}})
+    assert 'accelerometer = "1.2 ± 0.05 m"' in scenario.vehicle.vehicle_file().split("[sensor]")[1]
+
+
 @pytest.mark.parametrize("steer_as", ["road_wheel", "steering_wheel", "command"])
 def test_the_steer_that_is_logged(steer_as):
     changes = {"vehicle__steering_ratio": "15", "actuator": {"delay": "50 ms", "scale": 1.1}}

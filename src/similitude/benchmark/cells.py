@@ -66,7 +66,8 @@ SENSORS = {
     "steer": {"quantum": "0.1 mrad"},
     "r": {"noise": "0.15 deg/s", "bias": "0.1 deg/s", "quantum": "0.02 deg/s"},
     "U": {"noise": "0.05 m/s", "quantum": "0.01 m/s"},
-    "log_ay": "no",
+    "ay": {"noise": "0.1 m/s^2", "bias": "0.1 m/s^2", "quantum": "0.02 m/s^2"},
+    "ay_behind": "1.23 m",  # the vehicle file says 1.20 m, ± 0.05 m
 }
 CHANGED = {"begin": f"{CHANGE_AT:g} s", "friction": 0.5, "stiffness": 0.5}
 LEANING = [{"at": f"{10 * i} s", "angle": f"{3 * (-1) ** i} deg"} for i in range(9)]

@@ -8,12 +8,15 @@ turn, and differ otherwise in their sensors' noise alone.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.benchmark.cells import PLANTS, Cell
+from similitude.benchmark.acting_stiffness import acting_stiffness
+from similitude.benchmark.cells import Cell
 from similitude.benchmark.kept_drives import kept
 from similitude.simulation.car import Car, generator
 from similitude.simulation.foreign import VEHICLES, foreign_car
@@ -30,6 +33,8 @@ K_RATIO, LN_K_RATIO_SD = 1.0977, 0.12  # pi4/pi3
 PI5, LN_PI5_SD = 0.251, 0.08
 LEAST_ETA = 1.05
 MASS = 1500.0  # kg; it cancels, but for the weight of a gust
+AY_NOISE = 0.1  # m/s^2, that of its accelerometer
+BEHIND, BEHIND_SD = 1.20, 0.05  # m: what the file says of the accelerometer's place
 GROUPS = ("pi1", "eta", "rho")
 BASE = "slalom"  # the shipped scenario whose every section is replaced
 
@@ -42,13 +47,15 @@ class Drive:
     ----------
     t : (n,)           time [s], 100 Hz
     delta, r, U : (n,) road-wheel angle [rad], yaw rate [rad/s], speed [m/s]; NaN where a sample is lost
-    vehicle : Vehicle  wheelbase, population, and the gyro's noise per sample [rad/s]
+    ay : (n,)          lateral acceleration felt at the accelerometer [m/s^2]
+    vehicle : Vehicle  wheelbase, population, the gyro's noise per sample [rad/s], the accelerometer's place
     """
 
     t: Array
     delta: Array
     r: Array
     U: Array
+    ay: Array
     vehicle: Vehicle
 
     @property
@@ -64,7 +71,7 @@ class Drive:
     def until(self, t: float) -> Drive:
         """Return the part before a time [s]."""
         rows = self.t < t
-        return Drive(self.t[rows], self.delta[rows], self.r[rows], self.U[rows], self.vehicle)
+        return Drive(*(x[rows] for x in (self.t, self.delta, self.r, self.U, self.ay)), self.vehicle)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,18 +106,32 @@ def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
 def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
     """One drive of a foreign plant, simulated once and kept; the cars take turns."""
     vehicle = list(VEHICLES)[seed % len(VEHICLES)]
-    made = kept(
-        {"scenario": cell.changes, "vehicle": vehicle, "seed": seed},
-        lambda: columns(run_scenario(scenario(cell, vehicle), [seed])[0]),
-    )
-    return _told(made, foreign_car(PLANTS[cell.plant]["model"], vehicle).L)
+    return foreign_drive(scenario(cell, vehicle), seed, {"scenario": cell.changes, "vehicle": vehicle})
+
+
+def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any]) -> tuple[Drive, Truth]:
+    """Return one drive of a foreign plant, whose true K is that with which its front axle acts.
+
+    Parameters
+    ----------
+    scenario : Scenario   with the plant's model and vehicle
+    seed : int
+    description : mapping   all that the scenario depends on, by which the drive is kept
+    """
+    car = foreign_car(scenario.plant.model, scenario.plant.vehicle)
+
+    def made() -> dict[str, Array]:
+        one = run_scenario(scenario, [seed])[0]
+        return columns(one) | {"K": acting_stiffness(one.truth, car)}
+
+    return _told(kept({**description, "seed": seed, "K": "acting"}, made), car.L)
 
 
 def columns(one: Recording) -> dict[str, Array]:
     """Return what the benchmark reads of a recording: arrays (n,) in SI by a short name."""
     log, truth = one.log, one.truth
     found = {"t": log["t [s]"], "delta": log["delta [rad]"], "r": log["r [rad/s]"], "U": log["U [m/s]"]}
-    found |= {"K": truth["K [m^2/s^2]"], "acting": truth["delta [rad]"]}
+    found |= {"ay": log["ay [m/s^2]"], "K": truth["K [m^2/s^2]"], "acting": truth["delta [rad]"]}
     return found | {name: truth[f"{name} [-]"] for name in GROUPS}
 
 
@@ -146,8 +167,9 @@ def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
         "benchmark",
         L=Uncertain(L, None, parse_unit("m")),
         yaw_rate_noise=Uncertain(NOISE, None, parse_unit("rad/s")),
-        origins={"L": "vehicle file", "yaw_rate_noise": "vehicle file"},
+        accelerometer=Uncertain(BEHIND, BEHIND_SD, parse_unit("m")),
+        origins=dict.fromkeys(("L", "yaw_rate_noise", "accelerometer"), "vehicle file"),
     )
-    drive = Drive(one["t"], one["delta"], one["r"], one["U"], vehicle)
+    drive = Drive(one["t"], one["delta"], one["r"], one["U"], one["ay"], vehicle)
     groups = {name: float(one[name][0]) for name in GROUPS}
     return drive, Truth(one["K"], one["acting"], groups)

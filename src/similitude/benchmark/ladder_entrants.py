@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.benchmark.drives import Drive
+from similitude.accelerometer import Accelerometer
+from similitude.benchmark.drives import AY_NOISE, Drive
 from similitude.benchmark.entrant import Answer, Entrant
 from similitude.benchmark.scoring import SETTLING
 from similitude.change_alarm import watch
@@ -39,13 +40,14 @@ SCAN = LagScan(np.empty(0), np.empty(0), MEASURED_LAG.value, "assumed", MEASURED
 
 
 def ladder() -> list[Entrant]:
-    """Return the six estimators, the simplest first."""
+    """Return our estimators, the simplest first."""
     return [
         Entrant("paper", "the paper's regression, exactly", _paper),
         Entrant("band", "first-order regression in a band", partial(_regression, "band")),
         Entrant("output_error", "recursive prediction error", partial(_regression, "output_error")),
         Entrant("robust", "state-variable filter, four parameters", partial(_regression, "robust")),
         Entrant("population", "Kalman filter with the population as prior, and its alarm", _population),
+        Entrant("with_ay", "the same, with lateral acceleration", partial(_population, accelerometer=True)),
         Entrant("batch", "maximum a posteriori over the whole log", _batch, whole_log=True),
     ]
 
@@ -61,7 +63,14 @@ def prepared(drive: Drive) -> Prepared:
 def _of_measured(drive: Drive) -> Prepared:
     """The same with the lag that measured angles have."""
     log = Log(
-        name="benchmark", path=None, t=drive.t, delta=drive.delta, r=drive.r, U=drive.U, ay=None, sources={}
+        name="benchmark",
+        path=None,
+        t=drive.t,
+        delta=drive.delta,
+        r=drive.r,
+        U=drive.U,
+        ay=drive.ay,
+        sources={},
     )
     prior = vehicle_prior(drive.vehicle)
     setup = population_setup(
@@ -70,11 +79,15 @@ def _of_measured(drive: Drive) -> Prepared:
     return Prepared(drive.vehicle, prior, SensorNoise(drive.noise, 1.0, 0.0), setup, SCAN, False, {})
 
 
-def _population(drive: Drive) -> Answer:
+def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
     ready = prepared(drive)
+    setup = ready.setup
+    if accelerometer:
+        place = drive.vehicle.accelerometer
+        setup = setup.with_accelerometer(Accelerometer(place.value, place.sd, AY_NOISE))
     lag, sd = ready.scan.chosen, ready.scan.std
     lags = [lag, lag + sd, max(lag - sd, 0.0)]
-    done, later, earlier = side_by_side([ready.setup.with_lag(lag, MEASURED_STEER_SD).run for lag in lags])
+    done, later, earlier = side_by_side([setup.with_lag(one, MEASURED_STEER_SD).run for one in lags])
     spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2
     sd = np.hypot(np.sqrt(done.output("variance")), spread)
     trace = trace_of(done, done.output("estimate"), sd)
@@ -86,7 +99,7 @@ def _population(drive: Drive) -> Answer:
         alarms=[alarm.t for alarm in watched.alarms],
         identified=_identified(ready, trace, done, edges(done)),
         operations=operations,
-        step_seconds=_seconds(ready.setup.run) + _seconds(partial(watch, done)),
+        step_seconds=_seconds(setup.run) + _seconds(partial(watch, done)),
     )
 
 

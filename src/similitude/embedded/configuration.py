@@ -73,10 +73,10 @@ def _held(source: Source, vehicle: Path | None, sample_time: float | None) -> Nu
 
 
 def _shipped(source: Source, library: Library, path: Path | None, sample_time: float | None) -> Numbers:
-    from similitude.vehicle_file import Vehicle, read_vehicle
+    from similitude.vehicle_file import read_vehicle
     from similitude.vehicle_prior import vehicle_prior, wheelbase
 
-    car = read_vehicle(path) if path is not None else Vehicle(name="reference car", L=_reference())
+    car = read_vehicle(path) if path is not None else reference_car()
     L, step = wheelbase(car), sample_time or REFERENCE_TIME
     noise = car.yaw_rate_noise.value if car.yaw_rate_noise is not None else REFERENCE_NOISE
     prior = vehicle_prior(car)
@@ -112,10 +112,12 @@ def _accelerometer(car: Any, L: float, library: Library, assumed: dict[str, Any]
     return Accelerometer(behind, sd, QUIETEST)
 
 
-def _reference() -> Any:
+def reference_car() -> Any:
+    """A car of which only the wheelbase is known, taken where no vehicle file is given."""
     from similitude.units import Uncertain
+    from similitude.vehicle_file import Vehicle
 
-    return Uncertain(REFERENCE_L, None, "m")
+    return Vehicle(name="reference car", L=Uncertain(REFERENCE_L, None, "m"))
 
 
 def _values(

@@ -13,11 +13,12 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 from similitude.embedded.configuration import Numbers, find_numbers
 from similitude.embedded.costs import Cost, costs_of, missing_tools
 from similitude.embedded.drive import self_test_rows
-from similitude.embedded.guard import check_sections
+from similitude.embedded.guard import Guard, check_sections
 from similitude.embedded.machine import EMULATED, harness, row_bytes
 from similitude.embedded.page import page_text
 from similitude.embedded.source import print_sources
@@ -75,9 +76,27 @@ def export(
     """
     target_named(target, real=real)
     _free_or_raise(out)
+    if real == "fixed":
+        from similitude.embedded.fixed_profile import fixed_profile
+
+        profile = fixed_profile(system, estimator, vehicle=vehicle, sample_time=sample_time)
+        return export_profile(profile, target=target, out=out)
     source = find_source(system, estimator)
     numbers = find_numbers(source, vehicle=vehicle, sample_time=sample_time)
     return export_source(source, numbers, real=real, target=target, out=out)
+
+
+def export_profile(profile: Any, *, target: str, out: Path) -> Export:
+    """Write a `fixed_profile.Profile` that is at hand; arguments and errors as of `export`."""
+    from similitude.embedded.fixed_guard import check_profile
+    from similitude.embedded.fixed_texts import fixed_texts
+
+    place = target_named(target, real="fixed")
+    _free_or_raise(out)
+    texts, vectors = fixed_texts(profile, _version())
+    return _written(
+        profile.source, profile.numbers, "fixed", place, out, texts, vectors, check_profile(profile)
+    )
 
 
 def export_source(source: Source, numbers: Numbers, *, real: str, target: str, out: Path) -> Export:
@@ -99,6 +118,19 @@ def export_source(source: Source, numbers: Numbers, *, real: str, target: str, o
     guard = check_sections(
         source.library(), numbers.values, estimator=estimator, real=real, sample_time=numbers.sample_time
     )
+    return _written(source, numbers, real, place, out, texts, vectors, guard)
+
+
+def _written(
+    source: Source,
+    numbers: Numbers,
+    real: str,
+    place: Target,
+    out: Path,
+    texts: Mapping[str, str],
+    vectors: Vectors,
+    guard: Guard | None,
+) -> Export:
     with _beside(out) as part:
         for name, text in texts.items():
             (part / name).write_text(text, encoding="utf-8")

@@ -27,10 +27,11 @@ READ = 'docs/embedded.md, "Filters and precision"'
 
 @dataclass(frozen=True)
 class Guard:
-    """Greatest pole radius of the rounded sections; rounding over the noise behind them [-]."""
+    """Greatest pole radius of the rounded sections; rounding over the noise behind them [-]; the type."""
 
     pole_radius: float
     rounding: float
+    real: str = "float"
 
     @property
     def advice(self) -> str:
@@ -39,7 +40,8 @@ class Guard:
             return ""
         return (
             f"rounding in the filters is {100 * self.rounding:.0f} % of the sensor's noise there (poles up "
-            f"to {self.pole_radius:.6f}): hand on every second sample, or export --real double"
+            f"to {self.pole_radius:.6f}): hand on every second sample, or export --real "
+            + ("float" if self.real == "fixed" else "double")
         )
 
 
@@ -72,7 +74,7 @@ def check_sections(
     kind = TYPES[real]
     below = [[1.0, *row[3:].astype(kind).astype(float)] for row in sections]
     radius = max(float(np.abs(np.roots(row)).max()) for row in below)
-    found = Guard(radius, _rounding(library, config, kind, DIFFERENCES[estimator], sample_time))
+    found = Guard(radius, _rounding(library, config, kind, DIFFERENCES[estimator], sample_time), real)
     if radius >= 1 or found.rounding > REFUSED:
         raise UsageError(
             f"the filters of {library.name} do not survive --real {real} at {1 / sample_time:.6g} samples a "

@@ -36,7 +36,7 @@ status = {name}_step(&{name}_numbers, &state, &sample, &output);        /* each 
 |---|---|---|
 {sample_rows}
 
-A value that is not there goes in as NaN.
+{missing}
 
 | Comes out | Unit | Meaning |
 |---|---|---|
@@ -53,8 +53,7 @@ What comes out is finite whatever went in. The status says what the sample was g
 ```
 
 Warnings it is free of: `{strict}`.
-Never `-ffast-math`; where the processor can fuse multiply and add, `{name}.c` refuses to compile until
-`-D{contract}` states that `-ffp-contract=off` is among the flags: with fusing, the bits would differ.
+{bits}
 
 ## Prove it
 
@@ -77,9 +76,35 @@ On your own board call `{name}_self_test(0)` once: it returns the number of word
 
 {numbers}
 
-All are in `{name}_config.h`, in SI units. The self-test holds for those that were exported: after a
-change, run `similitude export` again.
+{where}
 """
+
+_MISSING = {
+    "reals": "A value that is not there goes in as NaN.",
+    "integers": """\
+A field of format Qf is the value times 2^f, to the nearest (`{upper}_ESTIMATE_BITS` and so on); beyond
+the format, its end. A value that is not there goes in as `{upper}_MISSING`.""",
+}
+_BITS = {
+    "reals": """\
+Never `-ffast-math`; where the processor can fuse multiply and add, `{name}.c` refuses to compile until
+`-D{contract}` states that `-ffp-contract=off` is among the flags: with fusing, the bits would differ.""",
+    "integers": """\
+The flags about floating point are for the rest of your firmware: in here are whole numbers only. Their
+formats hold what the gates let in and saturate beyond; no value wraps, whatever comes in.""",
+}
+_WHERE = {
+    "reals": """\
+All are in `{name}_config.h`, in SI units. The self-test holds for those that were exported: after a
+change, run `similitude export` again.""",
+    "integers": """\
+They are literals of `{name}.c`, and the formats follow from them (`{name}_config.h` lists all): to
+change one, run `similitude export` again.""",
+}
+_ROUNDING = {
+    "reals": "rounding in them is\n{rounding:.1g} of the sensor's noise behind them.",
+    "integers": "rounding in the whole\nstep moves the innovation by {rounding:.1g} of the sensor's noise.",
+}
 
 _COST = """\
 | On {target}, {level}, {real} | |
@@ -146,7 +171,12 @@ def page_text(told: dict, library: Library, target: Target) -> str:
     title = layout.__doc__.splitlines()[0].split(": layout")[0]
     build = [target.compiler, *_shown(target), *STRICT, "-c", f"{name}.c", "-o", f"{name}.o"]
     emulated = target.name != "host"
+    words = {"name": name, "upper": name.upper(), "contract": CONTRACT_OFF}
+    kind = _kind(told)
     return _PAGE.format(
+        missing=_MISSING[kind].format(**words),
+        bits=_BITS[kind].format(**words),
+        where=_WHERE[kind].format(**words),
         name=name,
         title=title[0].upper() + title[1:],
         system=told["system"],
@@ -172,6 +202,10 @@ def page_text(told: dict, library: Library, target: Target) -> str:
     )
 
 
+def _kind(told: dict) -> str:
+    return "integers" if told["real"] == "fixed" else "reals"
+
+
 def _shown(target: Target) -> list[str]:
     return [flag for flag in flags_of(target) if target.name != "host" or flag not in SECTIONS]
 
@@ -194,7 +228,7 @@ def _on_board(told: dict, library: Library, target: Target) -> str:
 
 def _cost(told: dict, target: Target) -> str:
     cost = told["cost"]
-    size = 4 if told["real"] == "float" else 8
+    size = 8 if told["real"] == "double" else 4
     if cost is not None:
         emulator = "simavr" if target.name == "avr" else f"QEMU ({' '.join(target.machine[1:])})"
         what = _CYCLES if target.name == "avr" else _INSTRUCTIONS
@@ -216,7 +250,8 @@ def _numbers(told: dict) -> str:
     found = told["filters"]
     if found is None:
         return lines
+    rounding = _ROUNDING[_kind(told)].format(**found)
     return (
         f"{lines}\n\nThe filters, rounded to `{told['real']}`, have poles up to {found['pole_radius']:.6f}; "
-        f"rounding in them is\n{found['rounding']:.1g} of the sensor's noise behind them."
+        + rounding
     )

@@ -108,6 +108,9 @@ SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
     return {name}_advance(config, state, sample, output);
 }}
 
+"""
+
+SAVING = """\
 /* CRC-32 (IEEE 802.3) of n bytes, without its last inversion. */
 static unsigned long {name}_checksum(const unsigned char *bytes, unsigned long n)
 {{
@@ -264,4 +267,4 @@ def print_sources(
         "contract_off": CONTRACT_OFF,
         "version_word": int(hashlib.sha256((real + parts.declarations).encode()).hexdigest()[:8], 16),
     }
-    return Sources(_HEADER.format(**words), _SOURCE.format(**words))
+    return Sources(_HEADER.format(**words), (_SOURCE + SAVING).format(**words))

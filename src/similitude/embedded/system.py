@@ -122,6 +122,29 @@ def find_estimator(path: Path) -> Any:
     )
 
 
+def find_reduction(system: str) -> Any:
+    """The Reduction of a shipped system, or the one that a file holds.
+
+    Raises
+    ------
+    UsageError    there is no such system or file.
+    ModelError    the file does not run, or holds no Reduction or several.
+    """
+    if system.endswith(".py"):
+        path = _there(Path(system))
+        return _only_reduction(path, _run(path))
+    if system == "bicycle":
+        from similitude.systems.bicycle import bicycle_reduction
+
+        return bicycle_reduction()
+    raise UsageError(
+        f"'{system}' has no fixed-point profile; of the shipped systems the bicycle has",
+        usually="the saturating bicycle was meant, whose only estimator carries a covariance.",
+        paste=LINE.format(system="bicycle", estimator="paper"),
+        read='docs/embedded.md, "Fixed point"',
+    )
+
+
 def _held(path: Path) -> Source:
     estimator = find_estimator(path)
     return replace(estimator.source, system=path.name, numbers=estimator.numbers)

@@ -19,8 +19,8 @@ STRICT = (
     "-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wcast-qual "
     "-Wcast-align -Wstrict-prototypes -Wmissing-prototypes -Wundef -Wvla -Werror"
 ).split()
-REALS = ("float", "double")
-BYTES = {"float": 4, "double": 8}
+REALS = ("float", "double", "fixed")
+BYTES = {"float": 4, "double": 8, "fixed": 4}
 READ = 'docs/embedded.md, "Targets"'
 
 
@@ -93,7 +93,7 @@ TARGETS: dict[str, Target] = {
             "ATmega328P, floating point in software",
             "avr-gcc",
             ("-mmcu=atmega328p",),
-            ("float",),
+            ("float", "fixed"),
             unit="cycles",
             packages="gcc-avr avr-libc libsimavr-dev libelf-dev",
         ),
@@ -108,7 +108,7 @@ def target_named(name: str, *, real: str) -> Target:
     Parameters
     ----------
     name : as ``--target`` has it.
-    real : ``float`` or ``double``.
+    real : ``float``, ``double`` or ``fixed``.
 
     Raises
     ------
@@ -124,10 +124,9 @@ def target_named(name: str, *, real: str) -> Target:
         )
     if real not in REALS:
         raise UsageError(
-            f"--real '{real}' is not exported; there are {' and '.join(REALS)}",
-            usually="fixed point was meant for a part without floating point: single precision in "
-            "software runs there too, and the table of cost says at what price.",
-            paste="--real float",
+            f"--real '{real}' is not exported; there are {', '.join(REALS)}",
+            usually="the C type was written: 'fixed' is the profile in whole numbers.",
+            paste="--real fixed",
             read='docs/embedded.md, "Reals"',
         )
     target = TARGETS[name]

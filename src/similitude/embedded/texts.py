@@ -176,7 +176,7 @@ static const {word} {name}_last_state[{n_state}] {upper}_ROM = {{
 #endif
 """
 
-_EXAMPLE = """\
+EXAMPLE = """\
 /* example_main.c: how {name} is used. It runs as it is, on a target or on a PC:
  *
  *   cc -std=c99 -O2 -ffp-contract=off -D{contract} example_main.c {name}.c {name}_self_test.c -o example
@@ -248,7 +248,7 @@ def self_test_texts(library: Library, vectors: Vectors, real: str) -> dict[str, 
     words = {
         "name": name,
         "upper": name.upper(),
-        "word": "uint32_t" if real == "float" else "uint64_t",
+        "word": "uint64_t" if real == "double" else "uint32_t",
         "n": n,
         "fields": fields,
         "outputs": vectors.outputs.shape[1],
@@ -286,9 +286,7 @@ def _first(rows: tuple) -> str:
 
 
 def _table(bits: NDArray, real: str) -> str:
-    digits, end = (8, "u") if real == "float" else (16, "ULL")
-    if real == "float":
-        end = "UL"
+    digits, end = (16, "ULL") if real == "double" else (8, "UL")
     return "\n".join(
         "    " + ", ".join(f"0x{int(word):0{digits}X}{end}" for word in row) + "," for row in bits
     )
@@ -302,7 +300,7 @@ def example_text(
         f"    sample->{field} = {_number(TYPES[real](value), real)}; /* [{unit}] {meaning} */"
         for (field, unit, meaning, _), value in zip(library.layout.SAMPLE, row, strict=True)
     )
-    return _EXAMPLE.format(
+    return EXAMPLE.format(
         name=library.name,
         upper=library.name.upper(),
         contract=contract,

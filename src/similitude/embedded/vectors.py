@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 TYPES = {"float": np.float32, "double": np.float64}
-WORDS = {"float": np.uint32, "double": np.uint64}
+WORDS = {"float": np.uint32, "double": np.uint64, "fixed": np.uint32}
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,8 +1,8 @@
 """When the first unknown is taken to have jumped: by surprise, by doubt, or because it could not have shown.
 
-Surprise is the mean of the normalised innovation squared over half a second; it is quick, and blind where a jump
-is small against noise and disturbance. Doubt is the score, the slope of the log likelihood along the unknown
-over some seconds, against its variance. Where the information of those seconds could not have
+Surprise is the mean of the normalised innovation squared over half a second; it is quick, and blind where a
+jump is small against noise and disturbance. Doubt is the score, the slope of the log likelihood along the
+unknown over some seconds, against its variance. Where the information of those seconds could not have
 shown a jump, the unknown diffuses faster all the time.
 
 Invariant: what is added to the unknown's variance is never negative.

@@ -74,7 +74,8 @@ def scatter(psi: sp.Expr, normal: sp.Expr, per: sp.Expr) -> list[Statement]:
             (
                 Assign("spread", sp.Max(spread, S("scatter_low")), "variance of the residual as felt"),
                 Assign("log_variance", sp.Min(raised, S("variance_limit"))),
-                Assign("information", S("information") + psi**2 * per / S("spread")),
+                Assign("told", psi**2 * per / S("spread"), "by this sample"),
+                Assign("information", S("information") + S("told")),
             ),
             (),
             "enough blocks",

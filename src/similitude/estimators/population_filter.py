@@ -33,10 +33,11 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det inv_dt "
-    "inv_output_scale keep keep_score keep_w learn learn_seldom learn_slow least_scale lost nis noise "
-    "noise_change output_rate output_scale p pp q qq ramp response score_variance seen sensitivity span "
-    "steer steer_change told u u_end u_plain unseen validity_now validity_square validity_then w_nominal".split()
+    "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
+    "inv_dt inv_output_scale keep keep_score keep_w learn learn_seldom learn_slow least_scale "
+    "lost nis noise noise_change output_rate output_scale p pp q qq ramp response score_variance "
+    "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
+    "validity_square validity_then w_nominal".split()
 )
 
 

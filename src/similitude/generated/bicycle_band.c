@@ -427,7 +427,8 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
                 if ((A > R(0.0)) && (blocks > R(2.5)) && (scatter_weight > R(0.0))) { /* enough blocks */
                     spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
                     log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/(A*(K*K))) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/(A*(K*K)));
-                    information = information + (K*K)*(psi*psi)/spread;
+                    const bicycle_band_real told = (K*K)*(psi*psi)/spread; /* by this sample */
+                    information = information + told;
                 }
                 status = R(0.0);
                 if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {

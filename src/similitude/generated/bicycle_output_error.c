@@ -490,7 +490,8 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
             if ((A > R(0.0)) && (blocks > R(2.5)) && (scatter_weight > R(0.0))) { /* enough blocks */
                 spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
                 log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/A) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/A);
-                information = information + (psi*psi)/spread;
+                const bicycle_output_error_real told = (psi*psi)/spread; /* by this sample */
+                information = information + told;
             }
             status = R(0.0);
             if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {

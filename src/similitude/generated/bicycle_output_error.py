@@ -391,7 +391,8 @@ def step(config, state, sample):
             if (A > 0.0) and (blocks > 2.5) and (scatter_weight > 0.0):  # enough blocks
                 spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                 log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/A) else spread*(1.0 + 5.0/blocks)/A)
-                information = information + (psi*psi)/spread
+                told = (psi*psi)/spread  # by this sample
+                information = information + told
             status = 0.0
             if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
                 status = 2.0

@@ -94,7 +94,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real jump_ratio;              /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
     bicycle_population_real score_rate;              /* [1/s] rate at which the score of the first unknown is forgotten */
-    bicycle_population_real score_limit;             /* [-] squared score over its variance that speaks of a jump */
+    bicycle_population_real score_enough;            /* [-] squared score over its variance that speaks of a jump */
     bicycle_population_real score_most;              /* [-] most that it counts for beyond that, in units of surprise */
     bicycle_population_real faint_drift;             /* [1/s] further diffusion of ln K while a jump could not show */
     bicycle_population_real inv_telling;             /* [-] 1/information of late in which a jump shows */
@@ -398,7 +398,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     const bicycle_population_real jump_ratio = config->jump_ratio;
     const bicycle_population_real surprise_limit = config->surprise_limit;
     const bicycle_population_real score_rate = config->score_rate;
-    const bicycle_population_real score_limit = config->score_limit;
+    const bicycle_population_real score_enough = config->score_enough;
     const bicycle_population_real score_most = config->score_most;
     const bicycle_population_real faint_drift = config->faint_drift;
     const bicycle_population_real inv_telling = config->inv_telling;
@@ -810,7 +810,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             heard = heard*keep_score + sensitivity*told; /* information of late */
             score = innovation*told + keep_score*score;
             const bicycle_population_real score_variance = prior_information + heard*(R(1.0) + P[27]*heard); /* little is no evidence */
-            const bicycle_population_real doubt = ((score_most) < ((score*score)/score_variance - score_limit) ? score_most : (score*score)/score_variance - score_limit);
+            const bicycle_population_real doubt = ((score_most) < ((score*score)/score_variance - score_enough) ? score_most : (score*score)/score_variance - score_enough);
             const bicycle_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
             jump = ((doubt) > ((((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0))) ? doubt : (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0)));

@@ -63,7 +63,7 @@ CONFIG = (
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
     ('score_rate', '1/s', 'rate at which the score of the first unknown is forgotten', 1),
-    ('score_limit', '-', 'squared score over its variance that speaks of a jump', 1),
+    ('score_enough', '-', 'squared score over its variance that speaks of a jump', 1),
     ('score_most', '-', 'most that it counts for beyond that, in units of surprise', 1),
     ('faint_drift', '1/s', 'further diffusion of ln K while a jump could not show', 1),
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
@@ -305,7 +305,7 @@ def step(config, state, sample):
     jump_ratio = config[55]
     surprise_limit = config[56]
     score_rate = config[57]
-    score_limit = config[58]
+    score_enough = config[58]
     score_most = config[59]
     faint_drift = config[60]
     inv_telling = config[61]
@@ -762,7 +762,7 @@ def step(config, state, sample):
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_27*heard)  # little is no evidence
-            doubt = (score_most if (score_most) < ((score*score)/score_variance - score_limit) else (score*score)/score_variance - score_limit)
+            doubt = (score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))

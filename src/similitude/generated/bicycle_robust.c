@@ -527,7 +527,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                             if ((blocks > R(2.5)) && (d_3 > R(0.0)) && (scatter_weight > R(0.0))) { /* enough blocks */
                                 spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
                                 log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/((K*K)*d_3)) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/((K*K)*d_3));
-                                information = information + (K*K)*(w_3*w_3)/spread;
+                                const bicycle_robust_real told = (K*K)*(w_3*w_3)/spread; /* by this sample */
+                                information = information + told;
                             }
                             status = R(0.0);
                             if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
@@ -606,7 +607,8 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                     if ((blocks > R(2.5)) && (normal > R(0.0)) && (scatter_weight > R(0.0))) { /* enough blocks */
                         spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
                         log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/((K*K)*normal)) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/((K*K)*normal));
-                        information = information + (K*K)*(psi*psi)/spread;
+                        const bicycle_robust_real told = (K*K)*(psi*psi)/spread; /* by this sample */
+                        information = information + told;
                     }
                     status = R(0.0);
                     if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {

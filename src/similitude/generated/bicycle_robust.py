@@ -444,7 +444,8 @@ def step(config, state, sample):
                             if (blocks > 2.5) and (d_3 > 0.0) and (scatter_weight > 0.0):  # enough blocks
                                 spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                                 log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/((K*K)*d_3)) else spread*(1.0 + 5.0/blocks)/((K*K)*d_3))
-                                information = information + (K*K)*(w_3*w_3)/spread
+                                told = (K*K)*(w_3*w_3)/spread  # by this sample
+                                information = information + told
                             status = 0.0
                             if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
                                 status = 2.0
@@ -509,7 +510,8 @@ def step(config, state, sample):
                     if (blocks > 2.5) and (normal > 0.0) and (scatter_weight > 0.0):  # enough blocks
                         spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                         log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/((K*K)*normal)) else spread*(1.0 + 5.0/blocks)/((K*K)*normal))
-                        information = information + (K*K)*(psi*psi)/spread
+                        told = (K*K)*(psi*psi)/spread  # by this sample
+                        information = information + told
                     status = 0.0
                     if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
                         status = 2.0

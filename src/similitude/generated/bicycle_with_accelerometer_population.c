@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3102 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Operations: step 3105 at most, 7 at least (arithmetic, comparisons, selects), init 8.
  * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -106,7 +106,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
     bicycle_with_accelerometer_population_real score_rate; /* [1/s] rate at which the score of the first unknown is forgotten */
-    bicycle_with_accelerometer_population_real score_limit; /* [-] squared score over its variance that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
     bicycle_with_accelerometer_population_real score_most; /* [-] most that it counts for beyond that, in units of surprise */
     bicycle_with_accelerometer_population_real faint_drift; /* [1/s] further diffusion of ln K while a jump could not show */
     bicycle_with_accelerometer_population_real inv_telling; /* [-] 1/information of late in which a jump shows */
@@ -588,7 +588,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     const bicycle_with_accelerometer_population_real jump_ratio = config->jump_ratio;
     const bicycle_with_accelerometer_population_real surprise_limit = config->surprise_limit;
     const bicycle_with_accelerometer_population_real score_rate = config->score_rate;
-    const bicycle_with_accelerometer_population_real score_limit = config->score_limit;
+    const bicycle_with_accelerometer_population_real score_enough = config->score_enough;
     const bicycle_with_accelerometer_population_real score_most = config->score_most;
     const bicycle_with_accelerometer_population_real faint_drift = config->faint_drift;
     const bicycle_with_accelerometer_population_real inv_telling = config->inv_telling;
@@ -1160,7 +1160,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             heard = heard*keep_score + sensitivity*told; /* information of late */
             score = innovation*told + keep_score*score;
             const bicycle_with_accelerometer_population_real score_variance = prior_information + heard*(R(1.0) + P[42]*heard); /* little is no evidence */
-            const bicycle_with_accelerometer_population_real doubt = ((score_most) < ((score*score)/score_variance - score_limit) ? score_most : (score*score)/score_variance - score_limit);
+            const bicycle_with_accelerometer_population_real doubt = ((score_most) < ((score*score)/score_variance - score_enough) ? score_most : (score*score)/score_variance - score_enough);
             const bicycle_with_accelerometer_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
             jump = ((doubt) > ((((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0))) ? doubt : (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0)));
@@ -1611,6 +1611,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 v_star = v_star + ay_gain_0*ay_innovation;
                 r_star = r_star + ay_gain_1*ay_innovation;
                 disturbance = disturbance + ay_gain_2*ay_innovation;
+                score = score - ay_gain_3*ay_innovation*heard; /* at the estimate as it is now */
                 move = move + ay_gain_3*ay_innovation;
                 pi1 = pi1 + ay_gain_4*ay_innovation;
                 const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;

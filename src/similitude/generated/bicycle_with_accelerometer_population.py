@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 3102
+OPERATIONS = 3105
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'bank', 'push', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 
@@ -75,7 +75,7 @@ CONFIG = (
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
     ('score_rate', '1/s', 'rate at which the score of the first unknown is forgotten', 1),
-    ('score_limit', '-', 'squared score over its variance that speaks of a jump', 1),
+    ('score_enough', '-', 'squared score over its variance that speaks of a jump', 1),
     ('score_most', '-', 'most that it counts for beyond that, in units of surprise', 1),
     ('faint_drift', '1/s', 'further diffusion of ln K while a jump could not show', 1),
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
@@ -481,7 +481,7 @@ def step(config, state, sample):
     jump_ratio = config[93]
     surprise_limit = config[94]
     score_rate = config[95]
-    score_limit = config[96]
+    score_enough = config[96]
     score_most = config[97]
     faint_drift = config[98]
     inv_telling = config[99]
@@ -1163,7 +1163,7 @@ def step(config, state, sample):
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_42*heard)  # little is no evidence
-            doubt = (score_most if (score_most) < ((score*score)/score_variance - score_limit) else (score*score)/score_variance - score_limit)
+            doubt = (score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))
@@ -1610,6 +1610,7 @@ def step(config, state, sample):
                 v_star = v_star + ay_gain_0*ay_innovation
                 r_star = r_star + ay_gain_1*ay_innovation
                 disturbance = disturbance + ay_gain_2*ay_innovation
+                score = score - ay_gain_3*ay_innovation*heard  # at the estimate as it is now
                 move = move + ay_gain_3*ay_innovation
                 pi1 = pi1 + ay_gain_4*ay_innovation
                 ay_move_eta = ay_gain_5*ay_innovation

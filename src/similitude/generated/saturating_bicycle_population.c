@@ -97,7 +97,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
     saturating_bicycle_population_real score_rate;   /* [1/s] rate at which the score of the first unknown is forgotten */
-    saturating_bicycle_population_real score_limit;  /* [-] squared score over its variance that speaks of a jump */
+    saturating_bicycle_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
     saturating_bicycle_population_real score_most;   /* [-] most that it counts for beyond that, in units of surprise */
     saturating_bicycle_population_real faint_drift;  /* [1/s] further diffusion of ln K while a jump could not show */
     saturating_bicycle_population_real inv_telling;  /* [-] 1/information of late in which a jump shows */
@@ -430,7 +430,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     const saturating_bicycle_population_real jump_ratio = config->jump_ratio;
     const saturating_bicycle_population_real surprise_limit = config->surprise_limit;
     const saturating_bicycle_population_real score_rate = config->score_rate;
-    const saturating_bicycle_population_real score_limit = config->score_limit;
+    const saturating_bicycle_population_real score_enough = config->score_enough;
     const saturating_bicycle_population_real score_most = config->score_most;
     const saturating_bicycle_population_real faint_drift = config->faint_drift;
     const saturating_bicycle_population_real inv_telling = config->inv_telling;
@@ -895,7 +895,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             heard = heard*keep_score + sensitivity*told; /* information of late */
             score = innovation*told + keep_score*score;
             const saturating_bicycle_population_real score_variance = prior_information + heard*(R(1.0) + P[30]*heard); /* little is no evidence */
-            const saturating_bicycle_population_real doubt = ((score_most) < ((score*score)/score_variance - score_limit) ? score_most : (score*score)/score_variance - score_limit);
+            const saturating_bicycle_population_real doubt = ((score_most) < ((score*score)/score_variance - score_enough) ? score_most : (score*score)/score_variance - score_enough);
             const saturating_bicycle_population_real above = surprise - R(1.0);
             restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
             jump = ((doubt) > ((((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0))) ? doubt : (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0)));

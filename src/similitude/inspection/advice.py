@@ -32,6 +32,7 @@ DOUBTFUL = {
     "clipped": "a sensor at the end of its range",
     "steer_cut": "a steer that is cut off",
     "stuck": "a sensor that was stuck",
+    "dead_band": "a yaw rate whose small values were set to zero",
     "drives_joined": "two drives in one log",
 }
 

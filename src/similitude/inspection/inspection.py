@@ -104,7 +104,7 @@ def inspect_log(
     LogError      there is no table to look at: no such file, or another kind of file
     UsageError    `mapping` names no quantity
     """
-    table = open_table(Path(path))
+    table = open_table(Path(path), as_meant=True)
     seen = survey(path, vehicle=vehicle, mapping=mapping)
     clock = timing(seen.values["t"]) if "t" in seen.values else None
     filled = _filled_in(seen, clock)

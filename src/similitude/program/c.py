@@ -47,7 +47,7 @@ typedef SIMILITUDE_REAL {name}_real;
 
 # The batch loop advances a state of its own: no write through a pointer can reach it, so the compiler
 # need not write it back after every sample (a fifth of the population filter's time, a third of the paper's).
-_LOOPS = """\
+LOOPS = """\
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
                                const {name}_sample *sample, {name}_output *output)
@@ -109,7 +109,7 @@ def print_c(program: Program) -> str:
     ]
     for kind in ("config", "state", "sample", "output"):
         parts.append(_struct(name, kind, getattr(program, kind)))
-    parts += [_init(program), _advance(program), _LOOPS.format(name=name)]
+    parts += [_init(program), _advance(program), LOOPS.format(name=name)]
     return "\n".join(parts)
 
 

@@ -38,13 +38,15 @@ _FOREIGN = (
 )
 
 
-def open_table(path: str | Path) -> Table:
+def open_table(path: str | Path, *, as_meant: bool = False) -> Table:
     """Open a CSV or Parquet file.
 
     Parameters
     ----------
     path : str or Path   the file; its content decides the reader, so a wrong extension is
                          only warned about
+    as_meant : bool      open a CSV below facts or a second header, too; its findings then hold
+                         the fault as a certain one
 
     Returns
     -------
@@ -65,7 +67,8 @@ def open_table(path: str | Path) -> Table:
     _refuse_foreign(path, start, named_parquet)
     from similitude.readers.csv import open_csv
 
-    return open_csv(path, findings=_named_otherwise(path, "Parquet", "text") if named_parquet else ())
+    said = _named_otherwise(path, "Parquet", "text") if named_parquet else ()
+    return open_csv(path, findings=said, as_meant=as_meant)
 
 
 def _named_otherwise(path: Path, named: str, being: str) -> tuple[Finding, ...]:

@@ -13,23 +13,25 @@ from dataclasses import replace
 from pathlib import Path
 
 from similitude.errors import LogError, shown
-from similitude.finding import Finding
+from similitude.finding import Finding, refusal
 from similitude.readers.clock_text import clock_seconds, days_of, looks_like_clock
 from similitude.readers.csv_cells import date_order, text_in_cell, two_decimal_signs
-from similitude.readers.csv_header import check_header
+from similitude.readers.csv_header import meant_header
 from similitude.readers.csv_text import NUMBER, CsvText, take_apart
 from similitude.readers.table import READ, Loaded, Table, noted
 
 _NULLS = frozenset(" nan NaN NAN NA N/A n/a #N/A null NULL None none - -- ?".split(" "))
 
 
-def open_csv(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
+def open_csv(path: Path, *, findings: tuple[Finding, ...] = (), as_meant: bool = False) -> Table:
     """Open a CSV file.
 
     Parameters
     ----------
     path : Path                   a text file with one header line
     findings : tuple of Finding   what is already known about the file
+    as_meant : bool               open a table below facts or a second header, too, and say so among its
+                                  findings as one that is certain
 
     Returns
     -------
@@ -50,7 +52,11 @@ def open_csv(path: Path, *, findings: tuple[Finding, ...] = ()) -> Table:
             fault="cannot_open",
         ) from None
     text = take_apart(path, raw)
-    check_header(text)
+    fault, text = meant_header(text)
+    if fault is not None:
+        if not as_meant:
+            raise fault
+        findings = (*findings, refusal(fault))
     first = text.first_cells()
 
     def is_clock(position: int) -> bool:

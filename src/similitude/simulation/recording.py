@@ -103,7 +103,7 @@ def _record(scenario: Scenario, cars: Car, motion: Motion, i: int, seed: int, gy
     fine = _fine_truth(scenario, motion, car, column)
     rows = slice(None, None, scenario.timing.rows_every)
     truth = {name: np.ascontiguousarray(values[rows]) for name, values in fine.items()}
-    log = _log(scenario, motion, column, fine, seed, gyro)
+    log = _log(scenario, motion, car, column, fine, seed, gyro)
     return Recording(
         scenario.name, seed, log, truth, scenario.vehicle.vehicle_file(), _warnings(scenario, truth)
     )
@@ -148,7 +148,7 @@ def _fine_truth(scenario: Scenario, motion: Motion, car: Car, column: Any) -> di
     return truth | {f"{name} [-]": np.full(motion.t.shape, value) for name, value in groups.items()}
 
 
-def _log(scenario, motion, column, fine, seed, gyro) -> dict[str, Array]:
+def _log(scenario, motion, car, column, fine, seed, gyro) -> dict[str, Array]:
     """The logger's columns."""
     sensors = scenario.sensors
     t = motion.t[:: scenario.timing.rows_every]
@@ -158,6 +158,8 @@ def _log(scenario, motion, column, fine, seed, gyro) -> dict[str, Array]:
         name, steer = "steering_wheel [rad]", steer * scenario.vehicle.steering_ratio
     # An accelerometer feels the forces: not the pull of the bank.
     side = fine["ay [m/s^2]"] - column(motion.felt.pull)
+    if np.isfinite(sensors.ay_behind):
+        side = side + (car.a - sensors.ay_behind) * np.gradient(fine["r [rad/s]"], motion.t)
     channels = {
         name: (sensors.steer, steer, "steer"),
         "r [rad/s]": (sensors.r, fine["r [rad/s]"], "r"),

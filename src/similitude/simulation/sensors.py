@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.dimension import ACCELERATION, FREQUENCY, SPEED, TIME
+from similitude.dimension import ACCELERATION, FREQUENCY, LENGTH, SPEED, TIME
 from similitude.simulation.keys import ANGLE, NUMBER, choice, key, table
 
 Array = NDArray[np.float64]
@@ -86,12 +86,15 @@ class Sensors:
     Parameters
     ----------
     steer_as : which steer it is: that of the road wheels' rack, of the steering wheel, the command
+    log_ay, ay_behind : whether there is an accelerometer, and where [m]; NaN is the centre of gravity
     steer, r, U, ay : Sensor   of its channel
     """
 
     steer_as: str = choice("road_wheel", "steering_wheel", "command", words="steer that is logged",
                            default="road_wheel")  # fmt: skip
     log_ay: str = choice("yes", "no", words="whether there is an accelerometer", default="yes")
+    ay_behind: float = key('"1.3 m"', LENGTH, "place of the accelerometer behind the front axle; the centre "
+                           "of gravity when left out", default=math.nan, least=-3, most=15)  # fmt: skip
     steer: Sensor = table(SteerSensor, default=SteerSensor())
     r: Sensor = table(YawRateSensor, default=YawRateSensor())
     U: Sensor = table(SpeedSensor, default=SpeedSensor())

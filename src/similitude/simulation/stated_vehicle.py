@@ -22,7 +22,8 @@ READ = 'docs/simulate.md, "The car and what is told of it"'
 _NEEDED = ("m", "Iz", "Caf", "Car")
 _TELLABLE = {**KEYS, **SENSOR_KEYS}
 _UNITS = {"L": "m", "a": "m", "b": "m", "m": "kg", "Iz": "kg m^2", "Caf": "N/rad", "Car": "N/rad",
-          "steering_ratio": "", "steer_lag": "s", "yaw_rate_noise": "rad/s"}  # fmt: skip
+          "steering_ratio": "", "steer_lag": "s", "yaw_rate_noise": "rad/s",
+          "accelerometer": "m"}  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ import numpy as np
 
 from similitude.identification import identify
 
-from ..banked_drive import BEHIND, banked_drive, with_place
-from ..simulated_drive import vehicle
+from .banked_drive import BEHIND, banked_drive, with_place
+from .simulated_drive import vehicle
 
 MEAN = {"K": 145.68, "pi1": 0.4431, "eta": 1.42, "rho": 1.017}  # the population of passenger cars
 SPREAD = {"K": 0.2, "eta": 0.13, "rho": 0.09}  # sd of the logarithms over the fleet
