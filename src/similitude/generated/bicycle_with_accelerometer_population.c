@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3061 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 155 reals, configuration 113 reals; no heap, no globals, no libm, C99.
+ * Operations: step 3108 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -105,6 +105,11 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_rate; /* [1/s] rate at which the score of the first unknown is forgotten */
+    bicycle_with_accelerometer_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_most; /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_with_accelerometer_population_real faint_drift; /* [1/s] further diffusion of ln K while a jump could not show */
+    bicycle_with_accelerometer_population_real inv_telling; /* [-] 1/information of late in which a jump shows */
     bicycle_with_accelerometer_population_real observed_least; /* [-] least share of the disturbance taken as observed */
     bicycle_with_accelerometer_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
     bicycle_with_accelerometer_population_real gap;  /* [s] longest time without a usable sample before a restart */
@@ -153,6 +158,8 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     bicycle_with_accelerometer_population_real jump; /* [-] surprise taken as a jump of the first unknown */
     bicycle_with_accelerometer_population_real surprise; /* [-] recent mean of the normalised innovation squared */
+    bicycle_with_accelerometer_population_real score; /* [-] recent slope of the log likelihood along the first unknown */
+    bicycle_with_accelerometer_population_real heard; /* [-] recent information about the first unknown */
     bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
     bicycle_with_accelerometer_population_real unlearnt; /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -382,6 +389,8 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
+    state->score = R(0.0);
+    state->heard = R(0.0);
     state->activity = R(0.0);
     state->excitation = R(0.0);
     state->excited = R(0.0);
@@ -477,6 +486,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
+            state->score = R(0.0);
+            state->heard = R(0.0);
             state->surprise = R(1.0);
         }
         if (anew > 0) { /* nothing is known of them */
@@ -711,7 +722,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - sample->dt*config->push_rate) ? R(0.0) : R(1.0) - sample->dt*config->push_rate);
         const bicycle_with_accelerometer_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = config->drift;
+        diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
         if (state->excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
             const bicycle_with_accelerometer_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const bicycle_with_accelerometer_population_real keep = R(1.0) - lost;
@@ -904,9 +915,15 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
             state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_with_accelerometer_population_real learn = state->excited*inv_spread;
+            const bicycle_with_accelerometer_population_real keep_score = R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate);
+            const bicycle_with_accelerometer_population_real told = inv_spread*sensitivity;
+            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
+            state->score = innovation*told + keep_score*state->score;
+            const bicycle_with_accelerometer_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[42]*state->heard); /* little is no evidence */
+            const bicycle_with_accelerometer_population_real doubt = ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough);
             const bicycle_with_accelerometer_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
+            state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));
             const bicycle_with_accelerometer_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_with_accelerometer_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -1053,6 +1070,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->v_star = state->v_star + gain_0*innovation;
             state->r_star = state->r_star + gain_1*innovation;
             state->disturbance = state->disturbance + gain_2*innovation;
+            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             state->pi1 = state->pi1 + gain_4*innovation;
             const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
@@ -1353,6 +1371,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 state->v_star = state->v_star + ay_gain_0*ay_innovation;
                 state->r_star = state->r_star + ay_gain_1*ay_innovation;
                 state->disturbance = state->disturbance + ay_gain_2*ay_innovation;
+                state->score = state->score - ay_gain_3*ay_innovation*state->heard; /* at the estimate as it is now */
                 move = move + ay_gain_3*ay_innovation;
                 state->pi1 = state->pi1 + ay_gain_4*ay_innovation;
                 const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;
