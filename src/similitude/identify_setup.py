@@ -25,7 +25,7 @@ from similitude.slow_bus import held_columns, new_readings, without_lines, witho
 from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
 from similitude.steer_servo import find_servo
 from similitude.vehicle_file import Vehicle
-from similitude.vehicle_prior import NAMES, vehicle_prior
+from similitude.vehicle_prior import NAMES, ONE_DRIVE, vehicle_prior
 
 MEANING = {
     "K": "Caf L/m, front cornering stiffness per mass and length",
@@ -149,7 +149,11 @@ def held_by_limits(
 
 
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:
-    """Every unknown beside what the population said; ``std`` (4,) of the coordinates."""
+    """Every unknown beside what the population said; ``std`` (4,) of the coordinates.
+
+    All but K keep half the population's spread at least: what the model lacks looks like them.
+    """
+    std = np.concatenate([std[:1], np.maximum(std[1:], ONE_DRIVE * prior.std[1:])])
     groups = {}
     for i, name in enumerate(NAMES):
         is_log = prior.kinds[i] == "log"
