@@ -159,10 +159,10 @@ def paper_ranges(program: Program, numbers: Mapping[str, float], names: Names) -
         "updates": (0.0, updates),
         "span": (1.0, updates),
         "pace": (1 / updates, 1.0),
-        "scatter": (0.0, numbers["variance_limit"]),
-        "innovation_variance": (0.0, numbers["output_jump"] ** 2),
+        **dict.fromkeys(("scatter", "log_variance"), (0.0, numbers["variance_limit"])),
+        "raw_spread": (0.0, numbers["output_jump"] ** 2),
     }
-    wide = frozenset({"normal", "cross", "mean_square", "rest_square", "spread"})
+    wide = frozenset({"normal", "cross", "mean_square", "rest_square"})
     return Ranges(stated, wide, frozenset({"fresh", "updates", "span"}))
 
 
@@ -181,6 +181,7 @@ def band_derived(program: Program, numbers: Mapping[str, float], names: Names) -
 def band_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
     """Ranges of ``band``: a block holds so many of the greatest squares, the scatter so many blocks."""
     target, limit = names.target, numbers["variance_limit"]
+    heard = 2 * (numbers["noise_zero"] - numbers["noise_one"])  # of white noise, in a filtered difference
     edge = K_EDGE * numbers[f"{target}_high"]
     stated = {
         **sample_ranges(numbers, names.speed),
@@ -190,7 +191,7 @@ def band_ranges(program: Program, numbers: Mapping[str, float], names: Names) ->
         "aged": (0.0, limit),
         "blocks": (-1.0, numbers["blocks_most"]),
         "block_age": (0.0, numbers["block"] + numbers["dt_high"]),
-        "spread": (0.0, numbers["output_jump"] ** 2),
+        "spread": (0.0, heard * numbers["output_jump"] ** 2),
         "innovation_variance": (0.0, numbers["output_jump"] ** 2),
         "information": (0.0, INFORMATION),
         "told": (0.0, TOLD),
@@ -248,4 +249,4 @@ def scalar_ranges(program: Program, numbers: Mapping[str, float], names: Names) 
     found = walked(program, {n: float(v) for n, v in constants.items()}, Ranges(stated))
     rate = turn * max(map(abs, found["a"]))
     stated |= dict.fromkeys(("w", "w_slope"), (-rate, rate))
-    return Ranges(stated, SCALAR_WIDE, frozenset({"fresh"}))
+    return Ranges(stated, SCALAR_WIDE, frozenset({"fresh"}), full=True)
