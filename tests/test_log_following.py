@@ -108,9 +108,11 @@ def test_the_top_of_a_coarse_sine_is_no_end_of_its_range():
         assert not cut_short(log, "delta").any()
 
 
-def test_a_yaw_rate_of_a_few_steps_that_is_cut_is_found():
+@pytest.mark.parametrize(("size", "most"), [(0.5, 2), (0.3, 3), (0.3, 4)])
+def test_a_yaw_rate_of_a_few_steps_that_is_cut_is_found(size, most):
+    """At one step to either side, nothing of its height is left to compare; that is not found."""
     log = values(seconds=60)
-    step = 0.7 * log["r"].std()
-    cut = {**log, "r": step * np.clip(np.round(log["r"] / step), -1, 1)}
+    step = size * log["r"].std()
+    cut = {**log, "r": step * np.clip(np.round(log["r"] / step), -most, most)}
     whole = {**log, "r": step * np.round(log["r"] / step)}
     assert cut_short(cut, "delta").any() and not cut_short(whole, "delta").any()
