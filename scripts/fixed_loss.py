@@ -1,4 +1,4 @@
-"""Prints what whole numbers cost: each fixed-point estimator beside the same step in double, on the same samples.
+"""Prints what whole numbers cost: each fixed-point estimator beside the same step in double.
 
 The rows of `scripts/embedded.py`: a double lane change of a car and a simulated drive, 100 Hz. And how much
 rounding moves the innovation against the sensor's noise at several rates (`embedded.fixed_guard`).
@@ -34,7 +34,8 @@ def main() -> None:
     """A row for each estimator, then the guard's figures."""
     rows, step = logs()
     print(
-        f"{'estimator':18} {'samples':>8} {'learnt':>7} {'status':>7} {'ln K':>9} {'of its sd':>9} {'innovation':>11}"
+        f"{'estimator':18} {'samples':>8} {'learnt':>7} {'status':>7} "
+        f"{'ln K':>9} {'of its sd':>9} {'innovation':>11}"
     )
     for name in FIXED:
         profile = fixed_profile("bicycle", name, vehicle=CAR, sample_time=step)
@@ -42,8 +43,8 @@ def main() -> None:
         differ = np.abs(np.log(ours[:, 0] / exact[:, 0]))
         rest = np.sqrt(np.mean((ours[:, 3] - exact[:, 3]) ** 2))
         print(
-            f"{name:18} {len(rows):8} {(wanted == 0).sum():7} {(status != wanted).sum():7} {differ.max():9.1e} "
-            f"{(differ / np.sqrt(exact[:, 1])).max():9.1e} {rest:7.1e} rad/s"
+            f"{name:18} {len(rows):8} {(wanted == 0).sum():7} {(status != wanted).sum():7} "
+            f"{differ.max():9.1e} {(differ / np.sqrt(exact[:, 1])).max():9.1e} {rest:7.1e} rad/s"
         )
     for name in FIXED:
         shares = []
