@@ -26,6 +26,7 @@ from similitude.saved_state import SavedState, StateError, fits
 from similitude.servo import Servo
 from similitude.time_scales import DAY, DRIFT, TimeScales
 from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import ONE_DRIVE
 
 PARKED = 600.0  # s: after ten minutes people and load may be others, and the tyres are cold
 PARKED_STD = 0.10  # of ln K that comes with it, and with the first minutes of a stop
@@ -156,7 +157,7 @@ def _sizes_or_raise(state: SavedState, library: Library) -> None:
 
 
 def _age(state: NDArray[np.float64], setup: Setup, elapsed: float) -> None:
-    """Let the variances of K and bias grow with the time that passed."""
+    """Let the variances of K and bias grow with time; no drive is sure of the other groups."""
     library = setup.library
     names = list(library.layout.COORDINATES)
     first, n = library.index("state", "P"), len(names)
@@ -171,6 +172,8 @@ def _age(state: NDArray[np.float64], setup: Setup, elapsed: float) -> None:
     added = min(DESIGN["drift"] * elapsed, PARKED_STD**2) + DRIFT * elapsed
     state[K] = max(state[K], min(state[K] + added, prior))
     most = DESIGN["output_bias_sd"] ** 2
+    for name, std in zip(setup.prior.names[1:], setup.prior.std[1:], strict=True):
+        state[place(name)] = max(state[place(name)], float(ONE_DRIVE * std) ** 2)
     added = DESIGN["bias_drift"] * elapsed + (BIAS_STD**2 if parked else 0.0)
     state[bias] = max(state[bias], min(state[bias] + added, most))
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit, fit_batch
 from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
-from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
-from similitude.filter_run import LINEAR, Pass, Setup, population_setup
+from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
+from similitude.filter_run import LINEAR, POPULATION, Pass, Setup, population_setup
 from similitude.log import Log
 from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
@@ -25,7 +25,7 @@ from similitude.slow_bus import held_columns, new_readings, without_lines, witho
 from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
 from similitude.steer_servo import find_servo
 from similitude.vehicle_file import Vehicle
-from similitude.vehicle_prior import NAMES, vehicle_prior
+from similitude.vehicle_prior import NAMES, ONE_DRIVE, vehicle_prior
 
 MEANING = {
     "K": "Caf L/m, front cornering stiffness per mass and length",
@@ -41,6 +41,7 @@ SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
 WORTH_SAYING = 0.01  # of K
 MOSTLY = 0.75  # of the prior variance gone: half its sd
 FROM_STATE = "state file"
+LIMIT_DRIVE = 0.1  # of the rows
 APART = 3.0  # sd between the halves of a log: one log in 400 by chance
 
 
@@ -92,11 +93,20 @@ def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     """The batch fit, started where a pass of the population filter ended."""
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
-    frozen = FrozenFilter(replace(ready.setup, library=shipped(LINEAR)), prior)
+    frozen = FrozenFilter(replace(ready.setup, library=shipped(_tyres(ready.setup.log))), prior)
     scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
     return fit_batch(frozen, frozen.coordinates(start), scales)
+
+
+def _tyres(log: Log) -> str:
+    """The program of the whole-log fit: tyres that saturate where much was driven beyond the linear range.
+
+    Elsewhere their grip, which the fit takes as known, would have a say in K for nothing.
+    """
+    beyond = np.abs(log.U * log.r) > DESIGN["validity_limit"]
+    return POPULATION if np.mean(beyond) > LIMIT_DRIVE else LINEAR
 
 
 def with_fitted_lag(ready: Prepared, batch: BatchFit | None) -> Prepared:
@@ -149,7 +159,11 @@ def held_by_limits(
 
 
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:
-    """Every unknown beside what the population said; ``std`` (4,) of the coordinates."""
+    """Every unknown beside what the population said; ``std`` (4,) of the coordinates.
+
+    All but K keep half the population's spread at least: what the model lacks looks like them.
+    """
+    std = np.concatenate([std[:1], np.maximum(std[1:], ONE_DRIVE * prior.std[1:])])
     groups = {}
     for i, name in enumerate(NAMES):
         is_log = prior.kinds[i] == "log"

@@ -33,6 +33,7 @@ from similitude.estimators.fixed_ranges import (
     scalar_ranges,
 )
 from similitude.estimators.ladder_design import LIMIT_SD, ROOM, SLOW_PI3
+from similitude.estimators.paper_design import bessel_biquads
 from similitude.estimators.paper_sums import paper_sums
 from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.program.c import print_c
@@ -159,10 +160,15 @@ def _cars(
     if estimator == "paper":
         for name in PAPER_ALONE:
             del named[name]
+        for k, row in enumerate(bessel_biquads(named["sample_time"]).tolist(), start=1):
+            named |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
         named |= {"K_start": K, "K_low": low, "K_limit": K_ROOM * high}
     return named, replace(numbers, assumed={**numbers.assumed, **assumed})
 
 
-PAPER_ALONE = ("pi3_start", "P_start", "pi3_low", "pi3_limit", "P_low", "P_high")
+PAPER_ALONE = (  # of the profile in reals
+    *("pi3_start", "normal_start", "normal_least", "K_low", "K_limit"),
+    *(f"poles_{k}_{i}" for k in (1, 2) for i in (0, 1)),
+)
 K_ROOM = 8.0  # times the greatest K of the population: what a biased regression may read
 LATERAL = 1.5 * 9.80665  # m/s^2: no car on tyres corners harder

@@ -118,288 +118,173 @@ typedef struct bicycle_scalar_population_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_scalar_population_init(const bicycle_scalar_population_config *config, bicycle_scalar_population_state *state)
 {
-    const bicycle_scalar_population_real pi1 = config->pi1;
-    const bicycle_scalar_population_real eta = config->eta;
-    const bicycle_scalar_population_real rho = config->rho;
-    const bicycle_scalar_population_real sample_time = config->sample_time;
-    const bicycle_scalar_population_real K_start = config->K_start;
-    const bicycle_scalar_population_real start_variance = config->start_variance;
-    const bicycle_scalar_population_real U_least = config->U_least;
-    bicycle_scalar_population_real K;
-    bicycle_scalar_population_real damping;
-    bicycle_scalar_population_real error_offset;
-    bicycle_scalar_population_real excitation;
-    bicycle_scalar_population_real fresh;
-    bicycle_scalar_population_real input_gain;
-    bicycle_scalar_population_real inv_interval;
-    bicycle_scalar_population_real last_U;
-    bicycle_scalar_population_real last_input;
-    bicycle_scalar_population_real last_measured;
-    bicycle_scalar_population_real mean_square;
-    bicycle_scalar_population_real p;
-    bicycle_scalar_population_real pair_input;
-    bicycle_scalar_population_real pair_output;
-    bicycle_scalar_population_real slope_offset;
-    bicycle_scalar_population_real slowness;
-    bicycle_scalar_population_real started;
-    bicycle_scalar_population_real stiffness;
-    bicycle_scalar_population_real w;
-    bicycle_scalar_population_real w_slope;
-    bicycle_scalar_population_real y;
-    bicycle_scalar_population_real y_slope;
-    K = K_start;
-    p = start_variance;
-    input_gain = (-R(1.0)/(rho*(pi1 - R(1.0))));
-    damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - R(1.0))));
-    stiffness = (-(eta - R(1.0))/(rho*(pi1 - R(1.0))));
-    pair_output = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
-    pair_input = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
-    inv_interval = (R(1.0)/sample_time);
-    y = R(0.0);
-    w = R(0.0);
-    y_slope = R(0.0);
-    w_slope = R(0.0);
-    error_offset = R(0.0);
-    slope_offset = R(0.0);
-    mean_square = R(0.0);
-    excitation = R(0.0);
-    slowness = (R(1.0)/U_least);
-    last_input = R(0.0);
-    last_measured = R(0.0);
-    last_U = U_least;
-    fresh = R(0.0);
-    started = R(0.0);
-    state->K = K;
-    state->p = p;
-    state->input_gain = input_gain;
-    state->damping = damping;
-    state->stiffness = stiffness;
-    state->pair_output = pair_output;
-    state->pair_input = pair_input;
-    state->inv_interval = inv_interval;
-    state->y = y;
-    state->w = w;
-    state->y_slope = y_slope;
-    state->w_slope = w_slope;
-    state->error_offset = error_offset;
-    state->slope_offset = slope_offset;
-    state->mean_square = mean_square;
-    state->excitation = excitation;
-    state->slowness = slowness;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
+    state->K = config->K_start;
+    state->p = config->start_variance;
+    state->input_gain = (-R(1.0)/(config->rho*(config->pi1 - R(1.0))));
+    state->damping = (-(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
+    state->stiffness = (-(config->eta - R(1.0))/(config->rho*(config->pi1 - R(1.0))));
+    state->pair_output = config->eta/(config->rho*((config->pi1 - R(1.0))*(config->pi1 - R(1.0))));
+    state->pair_input = config->eta/(config->rho*((config->pi1 - R(1.0))*(config->pi1 - R(1.0))));
+    state->inv_interval = (R(1.0)/config->sample_time);
+    state->y = R(0.0);
+    state->w = R(0.0);
+    state->y_slope = R(0.0);
+    state->w_slope = R(0.0);
+    state->error_offset = R(0.0);
+    state->slope_offset = R(0.0);
+    state->mean_square = R(0.0);
+    state->excitation = R(0.0);
+    state->slowness = (R(1.0)/config->U_least);
+    state->last_input = R(0.0);
+    state->last_measured = R(0.0);
+    state->last_U = config->U_least;
+    state->fresh = R(0.0);
+    state->started = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_scalar_population_advance(const bicycle_scalar_population_config *config, bicycle_scalar_population_state *state,
-                                     const bicycle_scalar_population_sample *sample, bicycle_scalar_population_output *output)
+SIMILITUDE_INLINE int bicycle_scalar_population_advance(const bicycle_scalar_population_config *restrict config,
+                                     bicycle_scalar_population_state *restrict state,
+                                     const bicycle_scalar_population_sample *restrict sample,
+                                     bicycle_scalar_population_output *restrict output)
 {
-    const bicycle_scalar_population_real L = config->L;
-    const bicycle_scalar_population_real K_low = config->K_low;
-    const bicycle_scalar_population_real K_high = config->K_high;
-    const bicycle_scalar_population_real start_variance = config->start_variance;
-    const bicycle_scalar_population_real frozen_variance = config->frozen_variance;
-    const bicycle_scalar_population_real noise_variance = config->noise_variance;
-    const bicycle_scalar_population_real drift = config->drift;
-    const bicycle_scalar_population_real structure_time = config->structure_time;
-    const bicycle_scalar_population_real scatter_rate = config->scatter_rate;
-    const bicycle_scalar_population_real offset_rate = config->offset_rate;
-    const bicycle_scalar_population_real observer_rate = config->observer_rate;
-    const bicycle_scalar_population_real move_limit = config->move_limit;
-    const bicycle_scalar_population_real excitation_least = config->excitation_least;
-    const bicycle_scalar_population_real excitation_rate = config->excitation_rate;
-    const bicycle_scalar_population_real variance_limit = config->variance_limit;
-    const bicycle_scalar_population_real settle_samples = config->settle_samples;
-    const bicycle_scalar_population_real dt_low = config->dt_low;
-    const bicycle_scalar_population_real dt_high = config->dt_high;
-    const bicycle_scalar_population_real U_least = config->U_least;
-    const bicycle_scalar_population_real input_limit = config->input_limit;
-    const bicycle_scalar_population_real output_limit = config->output_limit;
-    const bicycle_scalar_population_real output_jump = config->output_jump;
-    const bicycle_scalar_population_real signal_limit = config->signal_limit;
-    const bicycle_scalar_population_real validity_limit = config->validity_limit;
-    const bicycle_scalar_population_real dt = sample->dt;
-    const bicycle_scalar_population_real input = sample->input;
-    const bicycle_scalar_population_real U = sample->U;
-    const bicycle_scalar_population_real measured = sample->measured;
-    bicycle_scalar_population_real K = state->K;
-    bicycle_scalar_population_real p = state->p;
-    bicycle_scalar_population_real input_gain = state->input_gain;
-    bicycle_scalar_population_real damping = state->damping;
-    bicycle_scalar_population_real stiffness = state->stiffness;
-    bicycle_scalar_population_real pair_output = state->pair_output;
-    bicycle_scalar_population_real pair_input = state->pair_input;
-    bicycle_scalar_population_real inv_interval = state->inv_interval;
-    bicycle_scalar_population_real y = state->y;
-    bicycle_scalar_population_real w = state->w;
-    bicycle_scalar_population_real y_slope = state->y_slope;
-    bicycle_scalar_population_real w_slope = state->w_slope;
-    bicycle_scalar_population_real error_offset = state->error_offset;
-    bicycle_scalar_population_real slope_offset = state->slope_offset;
-    bicycle_scalar_population_real mean_square = state->mean_square;
-    bicycle_scalar_population_real excitation = state->excitation;
-    bicycle_scalar_population_real slowness = state->slowness;
-    bicycle_scalar_population_real last_input = state->last_input;
-    bicycle_scalar_population_real last_measured = state->last_measured;
-    bicycle_scalar_population_real last_U = state->last_U;
-    bicycle_scalar_population_real fresh = state->fresh;
-    bicycle_scalar_population_real started = state->started;
-    bicycle_scalar_population_real edge = R(0.0);
+    int edge = 0;
     bicycle_scalar_population_real estimate = R(0.0);
     bicycle_scalar_population_real excited = R(0.0);
     bicycle_scalar_population_real innovation = R(0.0);
     bicycle_scalar_population_real innovation_variance = R(0.0);
-    bicycle_scalar_population_real live = R(0.0);
+    int live = 0;
     bicycle_scalar_population_real predicted = R(0.0);
     bicycle_scalar_population_real scale_now = R(0.0);
-    bicycle_scalar_population_real status = R(0.0);
+    int status = 0;
     bicycle_scalar_population_real u_now = R(0.0);
     bicycle_scalar_population_real usable = R(0.0);
     bicycle_scalar_population_real variance = R(0.0);
     bicycle_scalar_population_real y_now = R(0.0);
 
-    predicted = last_measured;
+    predicted = state->last_measured;
     innovation = R(0.0);
-    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
+        status = 1;
         usable = R(1.0);
-        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
-            u_now = input;
-            scale_now = U;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
+            u_now = sample->input;
+            scale_now = sample->U;
         } else {
-            u_now = last_input;
-            scale_now = last_U;
+            u_now = state->last_input;
+            scale_now = state->last_U;
             usable = R(0.0);
         }
-        if ((!((((measured - last_measured) < (-output_jump)) || ((measured - last_measured) > output_jump)) && (fresh > R(0.5)))) && (measured < output_limit) && (measured > (-output_limit))) { /* so is an output */
-            y_now = measured;
+        if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
+            y_now = sample->measured;
         } else {
-            y_now = last_measured;
+            y_now = state->last_measured;
             usable = R(0.0);
         }
-        if (scale_now > U_least) { /* fast enough to see the dynamics */
-            if ((scale_now < last_U) || (scale_now > last_U)) { /* another scale */
-                last_U = scale_now;
-                slowness = (R(1.0)/last_U);
+        if (scale_now > config->U_least) { /* fast enough to see the dynamics */
+            if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
+                state->last_U = scale_now;
+                state->slowness = (R(1.0)/state->last_U);
             }
-            live = R(1.0);
-            started = R(1.0);
+            live = 1;
+            state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
-        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the sample before is elsewhere */
-            fresh = R(0.0);
-            status = R(5.0);
+        if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
+            state->fresh = R(0.0);
+            status = 5;
         }
         if (usable > R(0.5)) { /* usable samples in a row */
-            fresh = R(1.0) + ((fresh) < (settle_samples) ? fresh : settle_samples);
+            state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
-            fresh = R(0.0);
-            status = R(4.0);
+            state->fresh = R(0.0);
+            status = 4;
         }
-        const bicycle_scalar_population_real u = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_scalar_population_real a = K*damping*slowness/L;
-        const bicycle_scalar_population_real b_1 = K*stiffness/((L*L));
-        const bicycle_scalar_population_real b_2 = pair_output*(K*K)*(slowness*slowness)/((L*L));
+        const bicycle_scalar_population_real u = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+        const bicycle_scalar_population_real a = state->K*state->damping*state->slowness/config->L;
+        const bicycle_scalar_population_real b_1 = state->K*state->stiffness/((config->L*config->L));
+        const bicycle_scalar_population_real b_2 = state->pair_output*(state->K*state->K)*(state->slowness*state->slowness)/((config->L*config->L));
         const bicycle_scalar_population_real b = b_1 + b_2;
         const bicycle_scalar_population_real b_slope = b_1 + R(2.0)*b_2;
-        const bicycle_scalar_population_real c = K*input_gain/((L*L));
-        const bicycle_scalar_population_real d = pair_input*slowness*(K*K)/((L*L*L));
-        if ((dt < dt_high) && (dt > dt_low) && (live > R(0.5))) { /* the step is one sample long */
-            const bicycle_scalar_population_real q = R(0.5)*dt;
+        const bicycle_scalar_population_real c = state->K*state->input_gain/((config->L*config->L));
+        const bicycle_scalar_population_real d = state->pair_input*state->slowness*(state->K*state->K)/((config->L*config->L*config->L));
+        if ((live > 0) && (sample->dt < config->dt_high) && (sample->dt > config->dt_low)) { /* the step is one sample long */
+            const bicycle_scalar_population_real q = R(0.5)*sample->dt;
             const bicycle_scalar_population_real qa = a*q;
             const bicycle_scalar_population_real inv_det = (R(1.0)/(R(1.0) + qa + b*(q*q)));
-            const bicycle_scalar_population_real y_forced = w + R(2.0)*d*q*u - b*q*y;
-            const bicycle_scalar_population_real y_after = inv_det*(q*(w + y_forced + R(2.0)*c*u) + y*(R(1.0) - qa));
-            const bicycle_scalar_population_real y_middle = R(0.5)*y + R(0.5)*y_after;
-            w = y_forced - b*q*y_after;
-            const bicycle_scalar_population_real y_slope_forced = w_slope + R(2.0)*q*(R(2.0)*d*u - b_slope*y_middle) - b*q*y_slope;
-            const bicycle_scalar_population_real y_slope_after = inv_det*(q*(w_slope + y_slope_forced + R(2.0)*c*u - R(2.0)*a*y_middle) + y_slope*(R(1.0) - qa));
-            w_slope = y_slope_forced - b*q*y_slope_after;
-            y = y_after;
-            y_slope = y_slope_after;
-            const bicycle_scalar_population_real error = y_now - y;
-            const bicycle_scalar_population_real follow = usable*((R(1.0)) < (dt*offset_rate) ? R(1.0) : dt*offset_rate);
-            error_offset = error_offset + follow*(error - error_offset);
-            slope_offset = slope_offset + follow*(y_slope - slope_offset);
-            const bicycle_scalar_population_real psi = y_slope - slope_offset; /* sensitivity without its slow part */
-            const bicycle_scalar_population_real residual = error - error_offset; /* error without its slow part */
+            const bicycle_scalar_population_real y_forced = state->w + R(2.0)*d*q*u - b*q*state->y;
+            const bicycle_scalar_population_real y_after = inv_det*(q*(state->w + y_forced + R(2.0)*c*u) + state->y*(R(1.0) - qa));
+            const bicycle_scalar_population_real y_middle = R(0.5)*state->y + R(0.5)*y_after;
+            state->w = y_forced - b*q*y_after;
+            const bicycle_scalar_population_real y_slope_forced = state->w_slope + R(2.0)*q*(R(2.0)*d*u - b_slope*y_middle) - b*q*state->y_slope;
+            const bicycle_scalar_population_real y_slope_after = inv_det*(q*(state->w_slope + y_slope_forced + R(2.0)*c*u - R(2.0)*a*y_middle) + state->y_slope*(R(1.0) - qa));
+            state->w_slope = y_slope_forced - b*q*y_slope_after;
+            state->y = y_after;
+            state->y_slope = y_slope_after;
+            const bicycle_scalar_population_real error = y_now - state->y;
+            const bicycle_scalar_population_real follow = usable*((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
+            state->error_offset = state->error_offset + follow*(error - state->error_offset);
+            state->slope_offset = state->slope_offset + follow*(state->y_slope - state->slope_offset);
+            const bicycle_scalar_population_real psi = state->y_slope - state->slope_offset; /* sensitivity without its slow part */
+            const bicycle_scalar_population_real residual = error - state->error_offset; /* error without its slow part */
             predicted = y_now - residual;
             if (usable > R(0.5)) {
                 innovation = residual;
-                mean_square = mean_square + ((residual*residual) - mean_square)*((R(1.0)) < (dt*scatter_rate) ? R(1.0) : dt*scatter_rate);
+                state->mean_square = state->mean_square + ((residual*residual) - state->mean_square)*((R(1.0)) < (sample->dt*config->scatter_rate) ? R(1.0) : sample->dt*config->scatter_rate);
                 const bicycle_scalar_population_real drive = psi; /* what the input alone does to the regression */
-                excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-                excited = (excitation > excitation_least ? R(1.0) : R(0.0));
-                if ((excited > R(0.5)) && (fresh > settle_samples)) { /* the input says something of the unknown */
-                    const bicycle_scalar_population_real weighed = noise_variance + R(2.0)*inv_interval*structure_time*((R(0.0)) > (mean_square - noise_variance) ? R(0.0) : mean_square - noise_variance);
-                    const bicycle_scalar_population_real gain = p*psi/((weighed + p*(psi*psi)));
+                state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+                excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
+                if ((excited > R(0.5)) && (state->fresh > config->settle_samples)) { /* the input says something of the unknown */
+                    const bicycle_scalar_population_real weighed = config->noise_variance + R(2.0)*state->inv_interval*config->structure_time*((R(0.0)) > (state->mean_square - config->noise_variance) ? R(0.0) : state->mean_square - config->noise_variance);
+                    const bicycle_scalar_population_real gain = state->p*psi/((weighed + state->p*(psi*psi)));
                     const bicycle_scalar_population_real wanted = gain*residual;
-                    const bicycle_scalar_population_real move = (((-move_limit)) > (((move_limit) < (wanted) ? move_limit : wanted)) ? (-move_limit) : ((move_limit) < (wanted) ? move_limit : wanted));
-                    p = p - gain*p*psi;
-                    K = K*(R(1.0) + move*(R(1.0) + move*(R(0.5) + R(0.16666666666666666)*move)));
-                    edge = R(0.0);
-                    if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
-                        K = ((K) > (K_low) ? K : K_low);
-                        K = ((K) < (K_high) ? K : K_high);
-                        edge = R(1.0);
+                    const bicycle_scalar_population_real move = (((-config->move_limit)) > (((config->move_limit) < (wanted) ? config->move_limit : wanted)) ? (-config->move_limit) : ((config->move_limit) < (wanted) ? config->move_limit : wanted));
+                    state->p = state->p - gain*state->p*psi;
+                    state->K = state->K*(R(1.0) + move*(R(1.0) + move*(R(0.5) + R(0.16666666666666666)*move)));
+                    edge = 0;
+                    if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
+                        state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
+                        state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
+                        edge = 1;
                     }
-                    status = R(0.0);
-                    if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
-                        status = R(2.0);
+                    status = 0;
+                    if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
+                        status = 2;
                     }
-                    if (edge > R(0.5)) { /* the population's edge */
-                        status = R(3.0);
+                    if (edge > 0) { /* the population's edge */
+                        status = 3;
                     }
                 }
             }
-            p = ((start_variance) < (p + drift*dt) ? start_variance : p + drift*dt); /* unseen, K may change */
-            const bicycle_scalar_population_real pull = usable*((R(1.0)) < (dt*observer_rate) ? R(1.0) : dt*observer_rate);
-            y = y + pull*residual;
-            y_slope = y_slope - psi*pull;
+            state->p = ((config->start_variance) < (state->p + config->drift*sample->dt) ? config->start_variance : state->p + config->drift*sample->dt); /* unseen, K may change */
+            const bicycle_scalar_population_real pull = usable*((R(1.0)) < (sample->dt*config->observer_rate) ? R(1.0) : sample->dt*config->observer_rate);
+            state->y = state->y + pull*residual;
+            state->y_slope = state->y_slope - psi*pull;
         } else {
-            y = y_now;
-            w = a*y_now - c*u;
-            y_slope = R(0.0);
-            w_slope = R(0.0);
-            error_offset = R(0.0);
-            slope_offset = R(0.0);
+            state->y = y_now;
+            state->w = a*y_now - c*u;
+            state->y_slope = R(0.0);
+            state->w_slope = R(0.0);
+            state->error_offset = R(0.0);
+            state->slope_offset = R(0.0);
         }
-        last_input = u_now;
-        last_measured = y_now;
+        state->last_input = u_now;
+        state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
-    estimate = K;
-    innovation_variance = ((mean_square) > (noise_variance) ? mean_square : noise_variance);
-    variance = ((variance_limit) < (frozen_variance + p) ? variance_limit : frozen_variance + p);
+    estimate = state->K;
+    innovation_variance = ((state->mean_square) > (config->noise_variance) ? state->mean_square : config->noise_variance);
+    variance = ((config->variance_limit) < (config->frozen_variance + state->p) ? config->variance_limit : config->frozen_variance + state->p);
 
-    state->K = K;
-    state->p = p;
-    state->y = y;
-    state->w = w;
-    state->y_slope = y_slope;
-    state->w_slope = w_slope;
-    state->error_offset = error_offset;
-    state->slope_offset = slope_offset;
-    state->mean_square = mean_square;
-    state->excitation = excitation;
-    state->slowness = slowness;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
