@@ -239,11 +239,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        Assign(
-            "surprise",
-            S("surprise") + share("surprise_rate") * (sp.Min(S("nis"), 9) - S("surprise")),
-            "recent mean of the normalised innovation squared",
-        ),
+        _surprise(layout),
         Assign("learn", S("excited") * S("inv_spread")),
         *doubt(P[t, t]),
         *jump(),
@@ -291,6 +287,14 @@ def _warm(layout: Layout) -> list[Statement]:
         Assign("inv_spread", 1 / wide, "the first samples count for less"),
         Assign("heat", S("heat") * (1 - share("heat_rate"))),
     ]
+
+
+def _surprise(layout: Layout) -> Assign:
+    """Recent surprise; beyond the linear range an innovation tells of the tyre law and counts as usual."""
+    linear = S("validity") < S("validity_limit") ** 2 if layout.reduction.groups.model.validity else True
+    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
+    return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
 
 def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:

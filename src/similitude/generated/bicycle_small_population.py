@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_small_population'
-OPERATIONS = 920
+OPERATIONS = 923
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'output_bias')
 
@@ -622,7 +622,7 @@ def step(config, state, sample):
             sensitivity = c_3*inv_P  # of the output to ln K
             excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
-            surprise = surprise + ((9.0 if (9.0) < (nis) else nis) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
+            surprise = surprise + (((9.0 if (9.0) < (nis) else nis) if validity < (validity_limit*validity_limit) else 1.0) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
             keep_score = 1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
             told = inv_spread*sensitivity
