@@ -239,9 +239,9 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        _surprise(layout),
+        _surprise(_linear(layout)),
         Assign("learn", S("excited") * S("inv_spread")),
-        *doubt(P[t, t]),
+        *doubt(P[t, t], _linear(layout)),
         *jump(),
         Assign(
             "learn_slow",
@@ -289,9 +289,15 @@ def _warm(layout: Layout) -> list[Statement]:
     ]
 
 
-def _surprise(layout: Layout) -> Assign:
-    """Recent surprise; beyond the linear range an innovation tells of the tyre law and counts as usual."""
-    linear = S("validity") < S("validity_limit") ** 2 if layout.reduction.groups.model.validity else True
+def _linear(layout: Layout) -> sp.Basic:
+    """Whether the model is in its linear range; beyond it an innovation tells of the tyre law."""
+    if layout.reduction.groups.model.validity is None:
+        return sp.true
+    return S("validity") < S("validity_limit") ** 2
+
+
+def _surprise(linear: sp.Basic) -> Assign:
+    """Recent surprise; beyond the linear range an innovation counts as usual."""
     told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
     mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
     return Assign("surprise", mean, "recent mean of the normalised innovation squared")
