@@ -1,7 +1,7 @@
 """Prints the population filter in the benchmark's cells on own plants, without the rivals: some minutes.
 
-`python scripts/benchmark_cells.py gusts straight` prints only cells whose names hold one of the words. A full run
-with every estimator is `similitude bench`.
+`python scripts/benchmark_cells.py gusts straight` prints only cells whose names hold one of the words.
+A full run with every estimator is `similitude bench`.
 """
 
 from __future__ import annotations
