@@ -30,6 +30,13 @@ def quiet_drift() -> sp.Expr:
     return S("drift") + S("faint_drift") * sp.Max(0, 1 - S("heard") * S("inv_telling"))
 
 
+def surprise(linear: sp.Basic) -> Assign:
+    """Recent surprise; beyond the linear range an innovation counts as usual."""
+    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
+    return Assign("surprise", mean, "recent mean of the normalised innovation squared")
+
+
 def doubt(variance: sp.Expr, linear: sp.Basic = sp.true) -> list[Assign]:
     """What the innovations of late say against the first unknown as it is now.
 
