@@ -12,7 +12,7 @@ import sympy as sp
 
 from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
-from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share
+from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
@@ -239,9 +239,9 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        _surprise(layout),
+        surprise(_linear(layout)),
         Assign("learn", S("excited") * S("inv_spread")),
-        *doubt(P[t, t]),
+        *doubt(P[t, t], _linear(layout)),
         *jump(),
         Assign(
             "learn_slow",
@@ -289,12 +289,11 @@ def _warm(layout: Layout) -> list[Statement]:
     ]
 
 
-def _surprise(layout: Layout) -> Assign:
-    """Recent surprise; beyond the linear range an innovation tells of the tyre law and counts as usual."""
-    linear = S("validity") < S("validity_limit") ** 2 if layout.reduction.groups.model.validity else True
-    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
-    mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
-    return Assign("surprise", mean, "recent mean of the normalised innovation squared")
+def _linear(layout: Layout) -> sp.Basic:
+    """Whether the model is in its linear range; beyond it an innovation tells of the tyre law."""
+    if layout.reduction.groups.model.validity is None:
+        return sp.true
+    return S("validity") < S("validity_limit") ** 2
 
 
 def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:

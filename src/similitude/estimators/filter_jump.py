@@ -30,16 +30,24 @@ def quiet_drift() -> sp.Expr:
     return S("drift") + S("faint_drift") * sp.Max(0, 1 - S("heard") * S("inv_telling"))
 
 
-def doubt(variance: sp.Expr) -> list[Assign]:
+def surprise(linear: sp.Basic) -> Assign:
+    """Recent surprise; beyond the linear range an innovation counts as usual."""
+    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
+    return Assign("surprise", mean, "recent mean of the normalised innovation squared")
+
+
+def doubt(variance: sp.Expr, linear: sp.Basic = sp.true) -> list[Assign]:
     """What the innovations of late say against the first unknown as it is now.
 
     With an information J of late and a variance P of the unknown, the score has variance J (1 + J P) while
     the filter is right; a jump by d moves it by J d. J and P are those with everything else unknown.
+    Outside the ``linear`` range the score waits, and nothing is doubted.
     """
     told, keep = S("told"), S("keep_score")
     return [
-        Assign("keep_score", 1 - share("score_rate")),
-        Assign("told", S("sensitivity") * S("inv_spread")),
+        Assign("keep_score", sp.Piecewise((1 - share("score_rate"), linear), (1, True))),
+        Assign("told", sp.Piecewise((S("sensitivity") * S("inv_spread"), linear), (0, True))),
         Assign("heard", keep * S("heard") + told * S("sensitivity"), "information of late"),
         Assign("score", keep * S("score") + told * S("innovation")),
         Assign(
@@ -47,7 +55,13 @@ def doubt(variance: sp.Expr) -> list[Assign]:
             S("heard") * (1 + S("heard") * variance) + S("prior_information"),
             "little is no evidence",
         ),
-        Assign("doubt", sp.Min(S("score") ** 2 / S("score_variance") - S("score_enough"), S("score_most"))),
+        Assign(
+            "doubt",
+            sp.Piecewise(
+                (sp.Min(S("score") ** 2 / S("score_variance") - S("score_enough"), S("score_most")), linear),
+                (0, True),
+            ),
+        ),
     ]
 
 

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 923 at most, 5 at least (arithmetic, comparisons, selects), init 5.
+ * Operations: step 932 at most, 5 at least (arithmetic, comparisons, selects), init 5.
  * Memory: state 62 reals, configuration 65 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -534,12 +534,12 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
             state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_small_population_real learn = state->excited*inv_spread;
-            const bicycle_small_population_real keep_score = R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate);
-            const bicycle_small_population_real told = inv_spread*sensitivity;
+            const bicycle_small_population_real keep_score = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate) : R(1.0));
+            const bicycle_small_population_real told = (state->validity < (config->validity_limit*config->validity_limit) ? inv_spread*sensitivity : R(0.0));
             state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
             state->score = innovation*told + keep_score*state->score;
             const bicycle_small_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[21]*state->heard); /* little is no evidence */
-            const bicycle_small_population_real doubt = ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough);
+            const bicycle_small_population_real doubt = (state->validity < (config->validity_limit*config->validity_limit) ? ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough) : R(0.0));
             const bicycle_small_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
             state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));

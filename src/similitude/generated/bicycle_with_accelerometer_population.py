@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 3108
+OPERATIONS = 3117
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'bank', 'push', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 
@@ -1158,12 +1158,12 @@ def step(config, state, sample):
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
             surprise = surprise + (((9.0 if (9.0) < (nis) else nis) if validity < (validity_limit*validity_limit) else 1.0) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = 1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
-            told = inv_spread*sensitivity
+            keep_score = (1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate) if validity < (validity_limit*validity_limit) else 1.0)
+            told = (inv_spread*sensitivity if validity < (validity_limit*validity_limit) else 0.0)
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_42*heard)  # little is no evidence
-            doubt = (score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
+            doubt = ((score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough) if validity < (validity_limit*validity_limit) else 0.0)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))

@@ -264,7 +264,9 @@ def _init(program: Program) -> str:
 
 
 def _declared(name: str, scope: _Scope) -> str:
-    return f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+    return (
+        f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+    )
 
 
 # The structs are four objects, said to the compiler by restrict: it may read a number again instead of
