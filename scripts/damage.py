@@ -145,7 +145,7 @@ def outcome(
     """What a user is told of a file: a word of `WORDS`, and the faults or warnings met."""
     try:
         log = read_log(path, vehicle=vehicle)
-        new = [one.fault for one in log.findings if one.fault in names - before]
+        new = [one.fault for one in log.findings if one.fault in names and _where(one) not in before]
         if new:
             return "named", tuple(new)
         run = identify(log, vehicle)
@@ -159,6 +159,11 @@ def outcome(
     if run.K.lo <= K <= run.K.hi:
         return "harmless", said
     return ("doubted" if said else "wrong"), (f"{run.K.value:.0f} ({run.K.lo:.0f}-{run.K.hi:.0f})", *said)
+
+
+def _where(finding: Finding) -> str:
+    """Fault and column: the command of a steer may be cut off before its yaw rate is."""
+    return f"{finding.fault} of {finding.column}"
 
 
 # What a warning says about the fault, for warnings that carry no name.
@@ -209,7 +214,7 @@ def undamaged(drive: Drive, vehicle: Vehicle, folder: Path, with_ay: bool) -> tu
     log: Log = read_log(bad.write(drive, folder, with_ay=with_ay), vehicle=vehicle)
     run = identify(log, vehicle)
     found: tuple[Finding, ...] = log.findings
-    return {one.fault for one in found} | {_kind(one) for one in run.warnings}, run
+    return {_where(one) for one in found} | {_kind(one) for one in run.warnings}, run
 
 
 def main() -> None:

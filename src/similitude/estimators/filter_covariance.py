@@ -12,6 +12,7 @@ import sympy as sp
 
 from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
@@ -38,7 +39,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         *(Assign(f"keep_{n}", sp.Max(0, 1 - dt * S(f"{n}_rate"))) for n in layout.wandering),
         Assign("w_nominal", _disturbance_variance(layout), "nominal variance of the disturbance"),
         Assign("move", sp.Integer(0)),
-        Assign("diffusion", S("drift")),
+        Assign("diffusion", quiet_drift(), "a jump that could not have shown may have come"),
         When(
             S("excited") < sp.Rational(1, 2),
             tuple(_pull(layout)),
@@ -240,7 +241,8 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         ),
         _surprise(layout),
         Assign("learn", S("excited") * S("inv_spread")),
-        *_jump(),
+        *doubt(P[t, t]),
+        *jump(),
         Assign(
             "learn_slow",
             sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
@@ -295,21 +297,6 @@ def _surprise(layout: Layout) -> Assign:
     return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
 
-def _jump() -> list[Assign]:
-    """Surprise beyond its limit, where it also stands out from what this vehicle usually does."""
-    above = S("surprise") - 1
-    stands_out = S("above") * S("above") > S("jump_ratio") * S("restlessness")
-    beyond = S("surprise") - S("surprise_limit")
-    return [
-        Assign("above", above),
-        Assign(
-            "restlessness",
-            S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
-        ),
-        Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
-    ]
-
-
 def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
     nu = S("innovation")
     lines: list[Statement] = []
@@ -317,6 +304,7 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
     for i, gain in gains.items():
         name = layout.coordinates[i]
         if name == layout.target:
+            lines.append(moved_score(gain * nu))
             lines.append(Assign("move", S("move") + gain * nu))
         elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
@@ -354,11 +342,6 @@ def keep_within(name: str) -> list[Assign]:
         Assign(name, sp.Max(S(name), S(f"{name}_low"))),
         Assign(name, sp.Min(S(name), S(f"{name}_high"))),
     ]
-
-
-def share(rate: str) -> sp.Expr:
-    """Weight of the newest value in an average of the given rate."""
-    return sp.Min(1, dt * S(rate))
 
 
 def _adapt(layout: Layout) -> list[Statement]:

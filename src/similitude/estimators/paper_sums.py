@@ -35,7 +35,7 @@ from similitude.status import STATUS
 
 R0, R1, R2 = S("output_filtered"), S("output_before_0"), S("output_before_1")
 D0, D1, D2 = S("input_filtered"), S("input_before_0"), S("input_before_1")
-LEFT_OUT = ("information_gained",)
+EDGE = sp.Rational(65535, 65536)  # of the greatest magnitude: at it
 
 
 def paper_sums(reduction: Reduction, *, unknown: str = "pi3", slopes: tuple[str, ...] = ("pi4",)) -> Program:
@@ -109,9 +109,12 @@ def _state(r: Regression) -> tuple[Field, ...]:
     return (
         Field("normal", "-", "sum of squares of the regressor, in units of drive squared"),
         Field("cross", "-", "sum of regressor times target"),
-        Field("mean_square", "-", "mean square of the residual"),
+        Field("mean_square", f"({o.unit})^2", "mean square of the residual behind the filter"),
         Field(target.name, target.unit, target.meaning),
+        Field("log_variance", "-", f"variance of ln {target.name} at the last update"),
+        Field("raw_spread", f"({o.unit})^2", "variance of the innovation at the last update"),
         Field("star", f"1/({o.unit})", f"dimensionless per physical {o.name} at the last usable scale"),
+        Field("per_unknown", "-", f"{r.unknown} per {target.name} at the same scale"),
         Field("updates", "-", "updates made, up to their greatest number"),
         Field("span", "-", "greatest power of two in them"),
         Field("pace", "-", "its reciprocal"),
@@ -142,16 +145,24 @@ def _start(r: Regression, states: tuple[Field, ...]) -> list[Statement]:
         "normal": S("normal_start"),
         "cross": S("normal_start") * S(f"{target}_start"),
         target: S(f"{target}_start"),
+        "log_variance": S("variance_limit"),
+        "raw_spread": S("noise_variance"),
         "span": sp.Integer(1),
         "pace": sp.Integer(1),
         f"last_{r.speed}": S(f"{r.speed}_least"),
     }
-    names = [s.name for f in states for s in f.symbols if s.name != "star"]
-    return [*(Assign(n, sp.sympify(start.get(n, 0))) for n in names), Assign("star", _star(r))]
+    names = [s.name for f in states for s in f.symbols if s.name not in ("star", "per_unknown")]
+    return [*(Assign(n, sp.sympify(start.get(n, 0))) for n in names), *_scales(r)]
+
+
+def _scales(r: Regression) -> list[Assign]:
+    """What follows from the measured scale."""
+    per = at_now(r, r.per_target).xreplace(_by_star(r))
+    return [Assign("star", _star(r)), Assign("per_unknown", per)]
 
 
 def _step(r: Regression) -> list[Statement]:
-    another = (Assign(f"last_{r.speed}", S("scale_now")), Assign("star", _star(r)))
+    another = (Assign(f"last_{r.speed}", S("scale_now")), *_scales(r))
     return [
         Assign("predicted", S("last_measured")),
         Assign("innovation", sp.Integer(0)),
@@ -184,7 +195,8 @@ def _predict(r: Regression) -> list[Statement]:
     inverse = 1 / (S("biquad_1_0") * S("biquad_2_0"))
     return [
         Assign("psi", gain * (D1 - D2) - damping * (R1 - R2), "regressor, eqs 25-26, for a unit of K"),
-        Assign("filtered", 2 * R1 - R2 + S("psi") * S(r.layout.target), "filtered output predicted"),
+        Assign("told", S("psi") * S(r.layout.target), "second difference predicted"),
+        Assign("filtered", 2 * R1 - R2 + S("told"), "filtered output predicted"),
         Assign("rest", rest, "filtered output if the newest were zero"),
         Assign("predicted", (S("filtered") - S("rest")) * inverse),
         When(S("usable") > HALF, (Assign("innovation", S("y_now") - S("predicted")),)),
@@ -208,16 +220,18 @@ def _learn(r: Regression) -> list[Statement]:
     more = sp.And(S("updates") >= 2 * S("span"), S("span") < S("updates_most"))
     body = (
         Assign("change", R0 - 2 * R1 + R2, "second difference, eq 24"),
-        Assign("residual", S("change") - S("psi") * K),
+        Assign("residual", S("change") - S("told")),
         Assign("drive", star * S("psi")),
-        Assign("rest_square", (star * S("residual")) ** 2),
+        Assign("response", star * S("change")),
+        Assign("rest_square", S("residual") ** 2),
         Assign("normal", keep * S("normal") + S("drive") ** 2),
-        Assign("cross", keep * S("cross") + S("drive") * (star * S("change"))),
+        Assign("cross", keep * S("cross") + S("drive") * S("response")),
         Assign("mean_square", S("mean_square") + S("pace") * (S("rest_square") - S("mean_square"))),
         Assign("updates", sp.Min(S("updates") + 1, S("updates_most"))),
         When(more, (Assign("span", 2 * S("span")), Assign("pace", S("pace") / 2)), (), "twice as many"),
         Assign(r.layout.target, S("cross") / S("normal")),
         Assign(r.layout.target, sp.Max(sp.Min(K, limit), -limit)),
+        *_spread(r),
         *_verdict(r),
     )
     return [When(used, body, (), "outside the dead zone, filters settled")]
@@ -232,7 +246,7 @@ def _verdict(r: Regression) -> list[Statement]:
         now = at_now(r, validity[0]).xreplace({r.layout.output.symbol: S("y_now")})
         beyond = sp.Or(now > S("validity_limit"), now < -S("validity_limit"))
         lines.append(When(beyond, (set_status("outside_linear"),)))
-    edge = sp.Or(K <= S(f"{r.layout.target}_low"), K >= limit)
+    edge = sp.Or(K <= S(f"{r.layout.target}_low"), K > EDGE * limit)
     return [*lines, When(edge, (set_status("at_limit"),), (), "no stiffness is zero or less")]
 
 
@@ -247,25 +261,28 @@ def _remember() -> list[Statement]:
     ]
 
 
-def _outputs(r: Regression) -> list[Statement]:
-    """The unknown and its group; scatter of the residual as variance, without the noise's bias."""
-    target, limit = r.layout.target, S("variance_limit")
+def _spread(r: Regression) -> list[Statement]:
+    """Scatter of the residual as raw output, and the variance of the logarithm: spread/(normal K^2)."""
     direct = S("biquad_1_0") * S("biquad_2_0")
-    least = S("noise_variance") * direct**2 * S("star") ** 2
-    unit = 1 / _star(r)
+    raw = sp.Max(S("mean_square") / direct**2, S("noise_variance"))
+    return [
+        Assign("raw_spread", raw, "never below the sensor's share"),
+        Assign("per_raw", (direct * S("star")) ** 2, "dimensionless per raw"),
+        Assign(
+            "scatter", S("raw_spread") * S("per_raw") / (S("cross") * S(r.layout.target)), "normal K = cross"
+        ),
+        Assign("log_variance", sp.Min(S("scatter"), S("variance_limit"))),
+    ]
+
+
+def _outputs(r: Regression) -> list[Statement]:
+    """The unknown and its group, and how well they are known since the last update."""
+    target = r.layout.target
     return [
         Assign("estimate", sp.Max(S(target), S(f"{target}_low"))),
-        Assign(r.unknown, S("estimate") * at_now(r, r.per_target).xreplace(_by_star(r))),
-        Assign("spread", sp.Max(S("mean_square"), least), "never below the sensor's share"),
-        Assign("innovation_variance", S("spread") * unit**2 / direct**2),
-        Assign("variance", limit),
-        When(
-            S("updates") > HALF,
-            (
-                Assign("scatter", S("spread") / (S("normal") * S("estimate") ** 2)),
-                Assign("variance", sp.Min(S("scatter"), limit)),
-            ),
-        ),
+        Assign(r.unknown, S("estimate") * S("per_unknown")),
+        Assign("innovation_variance", S("raw_spread")),
+        Assign("variance", S("log_variance")),
     ]
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from similitude.inspection.advice import MEANING, UNITS, doubtful, outlook, percent, relations
-from similitude.inspection.excitation import HARDLY, KINDS, LINEAR, WINDOW, seconds_by_kind
+from similitude.inspection.excitation import HARDLY, KINDS, LINEAR, WINDOW, Window, seconds_by_kind
 from similitude.log_quantities import QUANTITIES
 from similitude.report.html_chart import Chart, Line, Span
 from similitude.report.html_page import (
@@ -146,16 +146,21 @@ def _spans(look: Inspection):
             start = i + 1
 
 
+def _measured(window: Window, name: str) -> float:
+    """A number of a window; NaN where most of it was not measured, so that no line leads across."""
+    value = getattr(window, name)
+    return np.nan if value is None or window.kind == "missing" else value
+
+
 def _excitation(look: Inspection, spans, labels) -> dict[str, Chart]:
     if len(look.windows) < 2:
         return {}
     t = np.array([one.at + WINDOW / 2 for one in look.windows])
     rms, sideways = (
-        np.array([getattr(one, name) if getattr(one, name) is not None else np.nan for one in look.windows])
-        for name in ("steer_rms", "sideways")
+        np.array([_measured(one, name) for one in look.windows]) for name in ("steer_rms", "sideways")
     )
     least = HARDLY * (16.0 if look.signals.at_wheel else 1.0)
-    limits = np.full((2, t.size), [[1e3 * least], [LINEAR]])
+    limits = np.where(np.isfinite(sideways), [[1e3 * least], [LINEAR]], np.nan)
     drawn = {
         "steer-rms": (
             "Steer rms of two seconds",

@@ -49,8 +49,15 @@ typedef char {name}_shifts_keep_the_sign[((-1) >> 1) == -1 ? 1 : -1];
 
 """
 _HELPERS = {
-    "clamp": """\
+    "limit": """\
 /* The value of lo..hi that is nearest to x. */
+SIMILITUDE_INLINE int32_t {name}_limit(int32_t x, int32_t lo, int32_t hi)
+{{
+    return (x < lo) ? lo : ((x > hi) ? hi : x);
+}}
+""",
+    "clamp": """\
+/* The same of 64 bits, in 32. */
 static int32_t {name}_clamp(int64_t x, int32_t lo, int32_t hi)
 {{
     return (x < lo) ? lo : ((x > hi) ? hi : (int32_t)x);
@@ -63,72 +70,137 @@ static int64_t {name}_clamp_wide(int64_t x, int64_t lo, int64_t hi)
     return (x < lo) ? lo : ((x > hi) ? hi : x);
 }}
 """,
-    "mulw": """\
+    "halves": """\
+/* Two words as one value, high 2^32 + low, and the upper one of a value. On an 8-bit part, whose compiler
+ * moves 64 bits about one by one, through memory. */
+SIMILITUDE_INLINE int64_t {name}_join(int32_t high, int32_t low)
+{{
+#if defined(__AVR__)
+    union {{
+        int64_t whole;
+        int32_t half[2];
+    }} both;
+    both.half[0] = low;
+    both.half[1] = high - ((low < 0) ? 1 : 0);
+    return both.whole;
+#else
+    return ((int64_t)high * INT64_C(4294967296)) + low;
+#endif
+}}
+
+SIMILITUDE_INLINE int32_t {name}_upper(int64_t x)
+{{
+#if defined(__AVR__)
+    union {{
+        int64_t whole;
+        int32_t half[2];
+    }} both;
+    both.whole = x;
+    return both.half[1];
+#else
+    return (int32_t)(x >> 32);
+#endif
+}}
+""",
+    "mulq": """\
 /* (a b) >> 32 */
+SIMILITUDE_INLINE int32_t {name}_mulq(int32_t a, int32_t b)
+{{
+    return {name}_upper((int64_t)a * b);
+}}
+""",
+    "mulw": """\
+/* About (a b) >> 32 of a wide a. */
 static int64_t {name}_mulw(int64_t a, int32_t b)
 {{
-    const int64_t low = (int64_t)(a & INT64_C(0xFFFFFFFF)) * b;
-    return ((int64_t)(int32_t)(a >> 32) * b) + (low >> 32);
+    const int32_t half = (int32_t)((uint32_t)((uint64_t)a & UINT64_C(0xFFFFFFFF)) >> 1);
+    return ((int64_t){name}_upper(a) * b) + ((int64_t){name}_upper((int64_t)half * b) * 2);
 }}
 """,
     "mulh": """\
 /* About (a b) >> 64. */
 static int64_t {name}_mulh(int64_t a, int64_t b)
 {{
-    const int32_t high = (int32_t)(b >> 32);
-    const int64_t low = (int64_t)(b & INT64_C(0xFFFFFFFF)) * (int32_t)(a >> 32);
-    return {name}_mulw(a, high) + (low >> 32);
+    const int32_t half = (int32_t)((uint32_t)((uint64_t)b & UINT64_C(0xFFFFFFFF)) >> 1);
+    const int64_t rest = (int64_t){name}_upper((int64_t)half * {name}_upper(a)) * 2;
+    return {name}_mulw(a, {name}_upper(b)) + rest;
+}}
+""",
+    "up": """\
+/* x 2^n */
+SIMILITUDE_INLINE int64_t {name}_up(int64_t x, int n)
+{{
+    return (int64_t)((uint64_t)x << n);
 }}
 """,
     "quotient": """\
-/* n 2^up/d to the nearest, kept in lo..hi; a divisor below one counts as one. */
+/* The first 31 bits of x, from the first that is one; how many bits x has. */
+static int32_t {name}_leading(uint64_t x, int *bits)
+{{
+    const uint32_t low = (uint32_t)(x & UINT64_C(0xFFFFFFFF));
+    const uint32_t high = (uint32_t){name}_upper((int64_t)x);
+    uint32_t word = (high != 0u) ? high : low;
+    int n = 0;
+    if (word >= UINT32_C(0x10000)) {{
+        word >>= 16;
+        n = 16;
+    }}
+    if (word >= UINT32_C(0x100)) {{
+        word >>= 8;
+        n += 8;
+    }}
+    if (word >= UINT32_C(0x10)) {{
+        word >>= 4;
+        n += 4;
+    }}
+    if (word >= UINT32_C(0x4)) {{
+        word >>= 2;
+        n += 2;
+    }}
+    n += (word >= 2u) ? 2 : (int)word;
+    if (high != 0u) {{
+        *bits = n + 32;
+        return (int32_t)((high << (31 - n)) | ((low >> n) >> 1));
+    }}
+    *bits = n;
+    return (int32_t)((n == 32) ? (low >> 1) : (low << (31 - n)));
+}}
+
+/* n 2^up/d to 28 bits, kept in lo..hi; a divisor below one counts as one. The reciprocal of the divisor by a
+ * division of 32 bits and a step of Newton's. */
 static int32_t {name}_quotient(int64_t n, int64_t d, int up, int32_t lo, int32_t hi)
 {{
-    int64_t under = (d < 1) ? 1 : d;
-    int64_t over = n;
-    int64_t q;
-    if (under >= INT64_C(0x800000000000)) {{
-        under >>= 16;
-        up -= 16;
-    }}
-    if (under >= INT64_C(0x8000000000)) {{
-        under >>= 8;
-        up -= 8;
-    }}
-    if (under >= INT64_C(0x800000000)) {{
-        under >>= 4;
-        up -= 4;
-    }}
-    if (under >= INT64_C(0x200000000)) {{
-        under >>= 2;
-        up -= 2;
-    }}
-    if (under >= INT64_C(0x100000000)) {{
-        under >>= 1;
-        up -= 1;
-    }}
-    if (under >= INT64_C(0x80000000)) {{
-        under >>= 1;
-        up -= 1;
-    }}
-    if (up < 0) {{
-        over = over >> ((up < -62) ? 62 : -up);
+    const uint64_t size = (n < 0) ? (UINT64_C(0) - (uint64_t)n) : (uint64_t)n;
+    int below;
+    int above;
+    const int32_t under = {name}_leading((d < 1) ? UINT64_C(1) : (uint64_t)d, &below);
+    const int32_t over = {name}_leading(size, &above);
+    const int32_t first = (int32_t)((UINT32_C(0x7FFFFFFF) / ((uint32_t)under >> 15)) << 15);
+    const int32_t miss = INT32_C(0x20000000) - {name}_upper((int64_t)under * first);
+    const int32_t inverse = first + {name}_upper((int64_t)first * (miss * 8));
+    const uint32_t ratio = (uint32_t){name}_upper((int64_t)over * inverse);
+    const int shift = 29 - ((above - below) + up);
+    uint32_t found;
+    if ((n == 0) || (shift > 31)) {{
+        found = 0u;
+    }} else if (shift < -2) {{
+        found = UINT32_C(0xFFFFFFFF);
+    }} else if (shift <= 0) {{
+        found = ratio << -shift;
     }} else {{
-        const int64_t most = (up > 61) ? 0 : (INT64_C(0x3FFFFFFFFFFFFFFF) >> up);
-        if (over > most) {{
-            return hi;
-        }}
-        if (over < -most) {{
-            return lo;
-        }}
-        over = (over == 0) ? 0 : (over * (INT64_C(1) << up));
+        found = (ratio + (UINT32_C(1) << (shift - 1))) >> shift;
     }}
-    q = (over < 0) ? -((-over + (under >> 1)) / under) : ((over + (under >> 1)) / under);
-    return {name}_clamp(q, lo, hi);
+    found = (found > UINT32_C(0x7FFFFFFF)) ? UINT32_C(0x7FFFFFFF) : found;
+    return {name}_limit((n < 0) ? -(int32_t)found : (int32_t)found, lo, hi);
 }}
 """,
 }
-_NEEDS = {"quotient": ("clamp",), "mulh": ("mulw",)}
+_NEEDS = {
+    "quotient": ("limit", "halves"),
+    "mulh": ("mulw", "halves"),
+    "mulw": ("halves",),
+    "mulq": ("halves",),
+}
 
 
 def print_fixed_c(fixed: FixedProgram) -> str:
@@ -148,8 +220,10 @@ def print_fixed_c(fixed: FixedProgram) -> str:
         least=operations(fixed.step, most=False),
         state=len(words(fixed)),
     )
-    kinds = used(fixed.step)
+    kinds = used(fixed.step) | {"limit"}
     wanted = kinds | {more for kind in kinds for more in _NEEDS.get(kind, ())}
+    wanted |= {"up"} if "_up(" in "".join(_body(fixed, fixed.step, 1)) else set()
+    wanted |= {"halves"} if any(f.format.wide for f in fixed.state) else set()
     helpers = "\n".join(text.format(name=name) for kind, text in _HELPERS.items() if kind in wanted)
     structs = [
         _struct(name, "config", ["int32_t numbers;"], ["[-] which numbers the estimator was made for"]),
@@ -193,18 +267,17 @@ def _advance(fixed: FixedProgram) -> str:
     rows = [f"    const int32_t {f.name} = sample->{f.name};" for f in fixed.sample]
     for f in fixed.state:
         if f.format.wide:
-            joined = f"((int64_t)state->{f.name}_high * INT64_C(4294967296)) + state->{f.name}_low"
-            rows.append(f"    int64_t {f.name} = {joined};")
+            both = f"state->{f.name}_high, state->{f.name}_low"
+            rows.append(f"    int64_t {f.name} = {name}_join({both});")
         else:
             rows.append(f"    int32_t {f.name} = state->{f.name};")
     rows += [f"    {_kind(f.wide)} {n} = 0;" for n, f in sorted(fixed.working.items())]
     stores = []
     for f in fixed.state:
         if f.format.wide:
-            high = f"(int32_t)(({f.name} + INT64_C(2147483648)) >> 32)"
-            stores.append(f"    state->{f.name}_high = {high};")
-            low = f"(int32_t)({f.name} - ((int64_t)state->{f.name}_high * INT64_C(4294967296)))"
-            stores.append(f"    state->{f.name}_low = {low};")
+            stores.append(f"    state->{f.name}_high = {name}_upper({f.name} + INT64_C(2147483648));")
+            rest = f"{f.name} - {name}_join(state->{f.name}_high, 0)"
+            stores.append(f"    state->{f.name}_low = (int32_t)({rest});")
         else:
             stores.append(f"    state->{f.name} = {f.name};")
     return "\n".join(
@@ -299,6 +372,8 @@ def _unary(node: it.Int, name: str) -> tuple[str, bool]:
     n = node.args[1]
     if node.kind == "shl":
         wide = wide or not node.is_narrow
+        if was:
+            return f"{name}_up({a}, {n})", True
         return f"({_wide(a, was) if wide else a} * {_number(1 << n, wide)})", wide
     half = 1 << (n - 1)
     wide = wide or node.args[0].hi + half > it.NARROW[1] or n > 31
@@ -308,13 +383,18 @@ def _unary(node: it.Int, name: str) -> tuple[str, bool]:
 def _call(node: it.Int, name: str) -> tuple[str, bool]:
     args = node.args
     if node.kind == "clamp":
-        a, _ = _text(args[0], name)
+        a, is_wide = _text(args[0], name)
+        if not is_wide:
+            low, high = max(args[1], it.NARROW[0]), min(args[2], it.NARROW[1])
+            return f"{name}_limit({a}, {_number(low, False)}, {_number(high, False)})", False
         narrow = it.NARROW[0] <= args[1] and args[2] <= it.NARROW[1]
         if not narrow and node.is_narrow:
             low, high = max(args[1], it.NARROW[0]), min(args[2], it.NARROW[1])
             return f"{name}_clamp({a}, {_number(low, False)}, {_number(high, False)})", False
         function = f"{name}_clamp" if narrow else f"{name}_clamp_wide"
         return f"{function}({a}, {_number(args[1], not narrow)}, {_number(args[2], not narrow)})", not narrow
+    if node.kind == "mulq":
+        return f"{name}_mulq({_narrow(args[0], name)}, {_narrow(args[1], name)})", False
     if node.kind == "mulw":
         return f"{name}_mulw({_text(args[0], name)[0]}, {_narrow(args[1], name)})", True
     if node.kind == "mulh":
