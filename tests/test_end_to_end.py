@@ -177,7 +177,9 @@ def short_log(tmp_path):
 
 def _identify_short(log, out, **environment):
     cache = {"SIMILITUDE_CACHE": str(out / "cache")}
-    words = ["identify", log, "--vehicle", DATA / "rav4.toml", "--out", out, "--json"]
+    car = out.parent / "stated.toml"  # the lag is stated: without a compiler no whole-log fit finds it
+    car.write_text((DATA / "rav4.toml").read_text() + 'steer_lag = "10 ms"\n')
+    words = ["identify", log, "--vehicle", car, "--out", out, "--json"]
     done = command(*words, **cache, **environment)
     assert done.returncode == 0, done.stderr
     table = parquet.read_table(out / "estimate.parquet")
