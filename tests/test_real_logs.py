@@ -12,8 +12,8 @@ from real_logs import LOGS, examined
 
 pytestmark = pytest.mark.slow
 EXCITED = [name for name in LOGS if name != "rav4_straight"]
-RESTLESS = {"f1tenth_ds3", "f1tenth_ds5"}  # the halves read another K, by more than both intervals
-AT_THE_LIMIT = {"f1tenth_ds4"}  # 1.35 g and slides: K moves by 4 sd over some of its visits
+RESTLESS = {"f1tenth_ds1", "f1tenth_ds3", "f1tenth_ds5"}  # halves apart by more than both intervals
+AT_THE_LIMIT = {"f1tenth_ds1", "f1tenth_ds4", "f1tenth_ds5"}  # a quarter to half of the log: 3 to 6 sd
 
 
 @pytest.fixture(scope="module")
