@@ -139,8 +139,7 @@ def paper_derived(program: Program, numbers: Mapping[str, float], names: Names) 
     """
     forgetting, k = nearest_forgetting(numbers["forgetting"])
     psi = regressor_limit(program, numbers, names)
-    drive = psi * _slowest(program, numbers, names)["star"][1]
-    derived = {"psi_limit": psi, "updates_most": 2.0**k, "normal_start": NO_WEIGHT * drive**2}
+    derived = {"psi_limit": psi, "updates_most": 2.0**k, "normal_start": NO_WEIGHT * psi**2}
     return {**numbers, **derived, "forgetting": forgetting}
 
 

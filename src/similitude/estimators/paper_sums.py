@@ -1,11 +1,11 @@
 """The paper's regression as two sums, for whole numbers: K = cross/normal, forgotten by a shift.
 
-    normal <- (1 - 2^-k) normal + drive^2       drive = what a unit of K adds to the second difference
-    cross  <- (1 - 2^-k) cross + drive change   change = second difference of the filtered output
+    normal <- (1 - 2^-k) normal + psi^2       psi = what a unit of K adds to the second difference
+    cross  <- (1 - 2^-k) cross + psi change   change = second difference of the filtered output
 
-This is the recursive least squares of `paper`, P = 1/normal: P spans 24 decades, normal an integer's range.
-The unknown is K of the reduction, not the group: a change of speed then changes the regressor and no
-state. The mean square of the residual averages over the greatest power of two of updates made so far,
+This is the recursive least squares of `paper`, which moves K by psi times the residual over normal: the sums
+lose nothing to rounding from sample to sample, and biquads keep formats where differences would need all
+their digits. The mean square of the residual averages over the greatest power of two of updates made so far,
 at most 2^k, in place of their number, which saves a division.
 
 Filters, gates, dead zone and status are those of `paper`; ``information_gained`` is left out.
@@ -93,7 +93,7 @@ def _config(r: Regression) -> tuple[Field, ...]:
         Field(f"{target.name}_low", target.unit, f"least {target.name} that is reported, > 0"),
         Field(f"{target.name}_limit", target.unit, f"greatest magnitude of {target.name}"),
         Field("psi_limit", "-", "greatest believable regressor, in its units"),
-        Field("normal_start", "-", "sum of squares before the first update, in units of drive squared"),
+        Field("normal_start", "-", "sum of squares before the first update, in units of psi squared"),
         Field("forgetting", "-", "share of the past kept at each update, 1 - 2^-k"),
         Field("updates_most", "-", "updates the mean square averages over, 2^k"),
         Field("dead_zone", o.unit, f"|{o.name}| that must be exceeded for an update"),
@@ -107,7 +107,7 @@ def _config(r: Regression) -> tuple[Field, ...]:
 def _state(r: Regression) -> tuple[Field, ...]:
     i, o, target = r.layout.input, r.layout.output, r.reduction.unknowns[0]
     return (
-        Field("normal", "-", "sum of squares of the regressor, in units of drive squared"),
+        Field("normal", "-", "sum of squares of the regressor"),
         Field("cross", "-", "sum of regressor times target"),
         Field("mean_square", f"({o.unit})^2", "mean square of the residual behind the filter"),
         Field(target.name, target.unit, target.meaning),
@@ -213,7 +213,7 @@ def _filter() -> list[Statement]:
 def _learn(r: Regression) -> list[Statement]:
     """Two sums and their ratio where the raw output exceeds the dead zone."""
     K, limit, keep = S(r.layout.target), S(f"{r.layout.target}_limit"), S("forgetting")
-    y_now, dead, star = S("y_now"), S("dead_zone"), S("star")
+    y_now, dead = S("y_now"), S("dead_zone")
     beyond = sp.Or(y_now > dead, y_now < -dead)
     believable = (S("psi") < S("psi_limit"), S("psi") > -S("psi_limit"))
     used = sp.And(S("live") > HALF, S("fresh") > S("settle_samples"), beyond, *believable)
@@ -221,11 +221,9 @@ def _learn(r: Regression) -> list[Statement]:
     body = (
         Assign("change", R0 - 2 * R1 + R2, "second difference, eq 24"),
         Assign("residual", S("change") - S("told")),
-        Assign("drive", star * S("psi")),
-        Assign("response", star * S("change")),
         Assign("rest_square", S("residual") ** 2),
-        Assign("normal", keep * S("normal") + S("drive") ** 2),
-        Assign("cross", keep * S("cross") + S("drive") * S("response")),
+        Assign("normal", keep * S("normal") + S("psi") ** 2),
+        Assign("cross", keep * S("cross") + S("psi") * S("change")),
         Assign("mean_square", S("mean_square") + S("pace") * (S("rest_square") - S("mean_square"))),
         Assign("updates", sp.Min(S("updates") + 1, S("updates_most"))),
         When(more, (Assign("span", 2 * S("span")), Assign("pace", S("pace") / 2)), (), "twice as many"),
@@ -267,9 +265,8 @@ def _spread(r: Regression) -> list[Statement]:
     raw = sp.Max(S("mean_square") / direct**2, S("noise_variance"))
     return [
         Assign("raw_spread", raw, "never below the sensor's share"),
-        Assign("per_raw", (direct * S("star")) ** 2, "dimensionless per raw"),
         Assign(
-            "scatter", S("raw_spread") * S("per_raw") / (S("cross") * S(r.layout.target)), "normal K = cross"
+            "scatter", S("raw_spread") * direct**2 / (S("cross") * S(r.layout.target)), "normal K = cross"
         ),
         Assign("log_variance", sp.Min(S("scatter"), S("variance_limit"))),
     ]
