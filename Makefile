@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check damage embedded populations gallery clean
+.PHONY: demo test check fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -47,6 +47,9 @@ ladder: $(DEV)
 
 cross-check: $(DEV)
 	$(BIN)/python scripts/cross_check.py
+
+real-logs: $(DEV)
+	$(BIN)/python scripts/real_logs.py
 
 damage: $(DEV)
 	$(BIN)/python scripts/damage.py

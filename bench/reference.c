@@ -36,7 +36,7 @@ typedef struct {
     double L, pi1, pi4_slope, pi5, sample_time;
     biquad section[2];
     double pi3_start, P_start, forgetting, dead_zone, settle_samples, noise_variance;
-    double pi3_low, pi3_limit, P_low, P_high, variance_limit, dt_low, dt_high, U_least;
+    double K_low, K_limit, variance_limit, dt_low, dt_high, U_least;
     double steer_limit, yaw_limit, yaw_jump, U_limit, validity_limit;
 } config;
 
@@ -52,7 +52,6 @@ typedef struct {
     double steer_before[2], yaw_before[2]; /* filtered, one and two samples ago */
     double last_steer, last_yaw, last_U;
     long fresh;
-    int started;
 } state;
 
 static inline double filter(const biquad *q, memory *m, double x)
@@ -96,9 +95,9 @@ static inline int learn(const config *c, const constants *k, state *s, double ph
     s->mean_square += (residual * residual - s->mean_square) / s->weight;
     s->information +=
         explained * explained / (s->mean_square > least_spread ? s->mean_square : least_spread);
-    s->theta = clamp(s->theta + gain * residual, -c->pi3_limit, c->pi3_limit);
-    s->P = clamp((1.0 - gain * phi) * s->P * k->inv_forgetting, c->P_low, c->P_high);
-    if (s->theta <= c->pi3_low)
+    s->theta = clamp(s->theta + gain * residual, -c->K_limit, c->K_limit);
+    s->P = (1.0 - gain * phi) * s->P * k->inv_forgetting;
+    if (s->theta <= c->K_low)
         return AT_LIMIT;
     return ay * ay > k->validity_square ? OUTSIDE_LINEAR : OK;
 }
@@ -120,13 +119,7 @@ static inline int advance(const config *c, const constants *k, state *s, const s
         usable = 0;
     }
     if (U > c->U_least) {
-        if (s->started && U != s->last_U) { /* pi3 = K/U^2 of the same K */
-            const double ratio = s->last_U / U, square = ratio * ratio;
-            s->theta *= square;
-            s->P *= square * square;
-        }
         s->last_U = U;
-        s->started = 1;
     } else {
         live = 0;
         status = TOO_SLOW;
@@ -141,11 +134,9 @@ static inline int advance(const config *c, const constants *k, state *s, const s
         s->fresh = 0;
         status = NO_MEASUREMENT;
     }
-    const double star = c->L / s->last_U;
-    const double phi = k->m2 * (s->yaw_before[1] - s->yaw_before[0])
-                       + k->m1_per_U * s->last_U * (s->steer_before[0] - s->steer_before[1]);
-    const double expected = 2.0 * s->yaw_before[0] - s->yaw_before[1]
-                            + phi * s->theta * s->last_U * k->inv_L;
+    const double phi = (k->m2 / s->last_U * (s->yaw_before[1] - s->yaw_before[0])
+                        + k->m1_per_U * (s->steer_before[0] - s->steer_before[1])) * k->inv_L;
+    const double expected = 2.0 * s->yaw_before[0] - s->yaw_before[1] + phi * s->theta;
     const double rest = c->section[1].b0 * s->yaw[0].first + s->yaw[1].first;
     out->predicted = (expected - rest) * k->inv_direct;
     out->innovation = usable ? yaw - out->predicted : 0.0;
@@ -155,8 +146,11 @@ static inline int advance(const config *c, const constants *k, state *s, const s
     const double yaw_filtered =
         filter(&c->section[1], &s->yaw[1], filter(&c->section[0], &s->yaw[0], yaw));
     if (live && s->fresh > k->settle && (yaw > c->dead_zone || yaw < -c->dead_zone)) {
-        const double y = star * (yaw_filtered - 2.0 * s->yaw_before[0] + s->yaw_before[1]);
-        status = learn(c, k, s, phi, y, k->least_spread * star * star, yaw);
+        const double y = yaw_filtered - 2.0 * s->yaw_before[0] + s->yaw_before[1];
+        status = learn(c, k, s, phi, y, k->least_spread, yaw);
+    } else if (s->weight < 0.5) { /* nothing was learnt yet: the start is one of pi3 */
+        s->theta = c->pi3_start * s->last_U * s->last_U;
+        s->P = c->P_start * c->L * c->L * s->last_U * s->last_U;
     }
     s->yaw_before[1] = s->yaw_before[0];
     s->yaw_before[0] = yaw_filtered;
@@ -169,16 +163,16 @@ static inline int advance(const config *c, const constants *k, state *s, const s
 
 static inline void report(const config *c, const constants *k, const state *s, output *out)
 {
-    const double pi3 = s->theta > c->pi3_low ? s->theta : c->pi3_low;
-    const double raw = s->last_U * k->inv_L * k->inv_direct, square = raw * raw;
+    const double K = s->theta > c->K_low ? s->theta : c->K_low;
+    const double square = k->inv_direct * k->inv_direct;
     const double spread = s->mean_square * square;
-    out->pi3 = pi3;
-    out->K = pi3 * s->last_U * s->last_U;
+    out->pi3 = K / (s->last_U * s->last_U);
+    out->K = K;
     out->innovation_variance = spread > c->noise_variance ? spread : c->noise_variance;
     out->information = s->information;
     out->ln_K_variance = c->variance_limit;
     if (s->weight > 0.5) {
-        const double variance = s->P * out->innovation_variance / (pi3 * pi3 * square);
+        const double variance = s->P * out->innovation_variance / (K * K * square);
         if (variance < c->variance_limit)
             out->ln_K_variance = variance;
     }
@@ -188,7 +182,7 @@ static inline void report(const config *c, const constants *k, const state *s, o
 API void reference_paper(const config *c, long n, const sample *in, output *out, int *status)
 {
     const constants k = prepare(c);
-    state s = {.theta = c->pi3_start, .P = c->P_start, .last_U = c->U_least};
+    state s = {.last_U = c->U_least};
     for (long i = 0; i < n; ++i) {
         if (in[i].dt > 0.0 && in[i].dt < 1e6) {
             status[i] = advance(c, &k, &s, &in[i], &out[i]);

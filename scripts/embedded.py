@@ -24,7 +24,9 @@ import numpy as np
 from similitude.change_alarm import monitored
 from similitude.embedded.costs import Cost, measure, missing_tools
 from similitude.embedded.drive import self_test_rows
-from similitude.embedded.folder import export
+from similitude.embedded.fixed_profile import FIXED, Profile, fixed_profile
+from similitude.embedded.fixed_texts import integer_rows, self_test_drive
+from similitude.embedded.folder import export, export_profile
 from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.targets import TARGETS
 from similitude.embedded.vectors import Vectors
@@ -105,7 +107,7 @@ def main() -> int:
     faults: list[str] = []
     print(
         COLUMNS.format(
-            "estimator, float",
+            "estimator",
             "target",
             "mean",
             "most",
@@ -118,11 +120,15 @@ def main() -> int:
             "",
         )
     )
+    kept = {"write": asked.write_budgets}
     for system, estimators in SHIPPED.items():
         for estimator in estimators:
             name = f"{system}_{estimator}"
             if asked.only in (None, name) and targets:
-                faults += _one(system, estimator, rows, step, targets, budgets, write=asked.write_budgets)
+                faults += _one(system, estimator, rows, step, targets, budgets, **kept)
+    for estimator in FIXED:
+        if asked.only in (None, f"bicycle_{estimator}_fixed") and targets:
+            faults += _one_fixed(estimator, rows, step, targets, budgets, **kept)
     if asked.write_budgets:
         BUDGETS.write_text(json.dumps(budgets, indent=1, sort_keys=True) + "\n")
     for fault in faults:
@@ -170,18 +176,51 @@ def _one(
         faulty = self_test_rows(source, library, done.numbers.values, step)
         driven = np.vstack([faulty, rows_of(system, estimator, rows)])
         wanted = on_host(source.name, source.c, done.numbers.values, driven, outputs, states)
-        for target in targets:
-            scratch = Path(place, target.name)
-            scratch.mkdir()
-            try:
-                cost, _ = measure(folder, source, "float", target, wanted, scratch)
-            except Exception as fault:
-                if "will not fit" not in str(fault):
-                    raise
-                print(f"{source.name:30} {target.name:11} does not fit the part")
-                continue
-            faults += _judge(source.name, cost, wanted.words, budgets, write=write)
+        faults += _measured(folder, source, "float", targets, wanted, budgets, write=write)
         faults += [] if verified.words else [f"{source.name}: an empty self-test"]
+    return faults
+
+
+def _one_fixed(estimator: str, rows, step: float, targets: list, budgets: dict, *, write: bool) -> list[str]:
+    """One estimator in fixed point on every target; what failed."""
+    profile = fixed_profile("bicycle", estimator, vehicle=CAR, sample_time=step)
+    driven = integer_rows(profile, np.vstack([self_test_drive(profile), rows]))
+    wanted = words_on_host(profile, driven)
+    with tempfile.TemporaryDirectory(prefix="similitude-") as place:
+        folder = Path(place, profile.source.name)
+        export_profile(profile, target="host", out=folder)
+        faults = [] if verify_folder(folder).words else [f"{profile.source.name}: an empty self-test"]
+        return faults + _measured(folder, profile.source, "fixed", targets, wanted, budgets, write=write)
+
+
+def words_on_host(profile: Profile, rows: np.ndarray) -> Vectors:
+    """The generated C in whole numbers on this machine; rows (n, sample fields) of int32."""
+    name, layout = profile.source.name, profile.source.library().layout
+    c = load_library(profile.source.c, name=name)
+    sizes = (1, len(layout.STATE), (len(rows), len(layout.OUTPUT)), len(rows))
+    config, state, out, status = (np.zeros(size, np.int32) for size in sizes)
+    at = [ctypes.c_void_p(x.ctypes.data) for x in (config, state, rows, out, status)]
+    getattr(c, f"{name}_init")(at[0], at[1])
+    getattr(c, f"{name}_batch")(at[0], at[1], ctypes.c_long(len(rows)), *at[2:])
+    return Vectors(rows.view(np.uint32), status, out.view(np.uint32), state.view(np.uint32))
+
+
+def _measured(
+    folder: Path, source, real: str, targets: list, wanted: Vectors, budgets: dict, *, write: bool
+) -> list[str]:
+    """A folder on every target: a row each; what failed."""
+    faults: list[str] = []
+    for target in targets:
+        scratch = folder.parent / target.name
+        scratch.mkdir()
+        try:
+            cost, _ = measure(folder, source, real, target, wanted, scratch)
+        except Exception as fault:
+            if "will not fit" not in str(fault):
+                raise
+            print(f"{source.name:30} {target.name:11} does not fit the part")
+            continue
+        faults += _judge(source.name, cost, wanted.words, budgets, write=write)
     return faults
 
 

@@ -52,10 +52,14 @@ def test_going_on_is_as_if_never_stopped_bit_for_bit(log, first, tmp_path):
 
 
 def variance_of_K(memory, log):
+    return variance(memory, log, "K")
+
+
+def variance(memory, log, name):
     setup = population_setup(log, CAR, L=2.65, noise_std=NOISE, input_scale_sd=0.02)
     at = setup.library.index("state", "P")
     names = list(setup.library.layout.COORDINATES)
-    i = names.index("K")
+    i = names.index(name)
     return memory[at + i * len(names) - i * (i - 1) // 2]
 
 
@@ -78,6 +82,18 @@ def test_a_pause_makes_less_sure_and_a_longer_one_even_less(first, log):
 
     assert variance_of_K(first.memory.filter, log) < after[0] < after[1] < after[2]
     assert after[2] <= CAR.covariance[0, 0]
+
+
+def test_no_drive_hands_on_a_slow_group_surer_than_half_the_population(first, log):
+    learnt = list(first.memory.filter)
+    setup = population_setup(later(log, 3600.0), CAR, L=2.65, noise_std=NOISE, input_scale_sd=0.02)
+    for name in ("pi1", "eta", "rho"):
+        at = next(i for i, x in enumerate(learnt) if x == variance(first.memory.filter, log, name))
+        learnt[at] = 1e-8
+    sure = replace(first.memory, filter=learnt, made_for=made_for(known(), setup))
+    up = take_up(sure, known(), setup)
+    for name, std in zip(CAR.names[1:], CAR.std[1:], strict=True):
+        assert variance(up.filter, log, name) == pytest.approx((0.5 * std) ** 2)
 
 
 def test_where_no_clock_tells_a_day_is_assumed_and_said(first, log):

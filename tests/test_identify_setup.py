@@ -99,6 +99,13 @@ def test_groups_stand_beside_the_population():
         assert group.value == group.prior_value and group.std == pytest.approx(group.prior_std)
 
 
+def test_one_drive_is_not_surer_of_a_slow_group_than_half_the_population():
+    values = dict(zip(PRIOR.names, PRIOR.mean.tolist(), strict=True))
+    table = group_table(values, 0.01 * PRIOR.std, PRIOR)
+    shares = {name: group.std / group.prior_std for name, group in table.items()}
+    assert shares == pytest.approx({"K": 0.01, "pi1": 0.5, "eta": 0.5, "rho": 0.5})
+
+
 def test_what_trades_and_what_changed_is_said(ready, batch):
     lines = warnings_of(ready, batch, learnt=True)
     assert any("K and steer scale trade" in line and "correlation" in line for line in lines)

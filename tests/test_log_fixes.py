@@ -28,6 +28,8 @@ EXACT = {
     "yaw_rate_is_deg_per_s": lambda c: c | {"r": c["r"] * DEG},
     "steer_is_deg": lambda c: c | {"delta": c["delta"] * DEG},
     "speed_is_kmh": lambda c: c | {"U": c["U"] * 3.6},
+    "speed_is_mph": lambda c: c | {"U": c["U"] / 0.44704},
+    "speed_is_knots": lambda c: c | {"U": c["U"] * 3600 / 1852},
     "flip_steer_sign": lambda c: c | {"delta": -c["delta"]},
     "flip_yaw_rate_sign": lambda c: c | {"r": -c["r"]},
     "sort_time": lambda c: {name: one.reshape(-1, 2)[:, ::-1].ravel() for name, one in c.items()},

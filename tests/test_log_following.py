@@ -97,3 +97,22 @@ def test_a_yaw_rate_that_is_cut_off_asks_for_less_than_its_steer(most):
     values = {"t": t, "delta": steer, "U": np.full(t.size, 20.0), "r": rate}
 
     assert cut_short(values, "delta").any() == (most < 1)
+
+
+def test_the_top_of_a_coarse_sine_is_no_end_of_its_range():
+    """Steer and yaw rate in step, so that noise hides nothing; the sine's top is rounded to its last step."""
+    t = np.arange(0, 60, 0.02)
+    for most in np.arange(1.05, 6, 0.3):
+        turning = most * np.sin(1.3 * t)
+        log = {"t": t, "delta": 0.01 * turning, "r": 0.004 * np.round(turning), "U": np.full(t.size, 20.0)}
+        assert not cut_short(log, "delta").any()
+
+
+@pytest.mark.parametrize(("size", "most"), [(0.5, 2), (0.3, 3), (0.3, 4)])
+def test_a_yaw_rate_of_a_few_steps_that_is_cut_is_found(size, most):
+    """At one step to either side, nothing of its height is left to compare; that is not found."""
+    log = values(seconds=60)
+    step = size * log["r"].std()
+    cut = {**log, "r": step * np.clip(np.round(log["r"] / step), -most, most)}
+    whole = {**log, "r": step * np.round(log["r"] / step)}
+    assert cut_short(cut, "delta").any() and not cut_short(whole, "delta").any()

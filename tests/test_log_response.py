@@ -105,6 +105,49 @@ def test_lateral_acceleration_tells_a_speed_in_another_unit():
     assert [(one.fault, one.certain) for one in turned] == [("ay_sign", False)]
 
 
+@pytest.mark.parametrize(
+    ("factor", "header", "fix"),
+    [(1 / 1.609344, "U [km/h]", "speed_is_mph"), (1 / 1.852, "U [km/h]", "speed_is_knots"),
+     (1 / 3.6, "U [km/h]", "speed_is_m_per_s"), (1.609344, "U [mph]", "speed_is_kmh")],
+)  # fmt: skip
+def test_lateral_acceleration_names_the_unit_of_a_speed(factor, header, fix):
+    """A car driven in steady turns, where its lateral acceleration is U r and nothing else."""
+    t = np.arange(0, 60, 0.02)
+    rng = np.random.default_rng(0)
+    turning = sum(
+        np.sin(w * t + p) for w, p in zip(rng.uniform(0.2, 1.5, 8), rng.uniform(0, 6, 8), strict=True)
+    )
+    rate = 0.03 * turning
+    values = {"t": t, "delta": rate * 2.6 / 20, "r": rate, "U": np.full(t.size, 20.0), "ay": 20.0 * rate}
+    assert check(values) == []
+
+    found = check(values | {"U": factor * values["U"]}, U=header)
+
+    assert fix in {one.fix for one in found}
+
+
+@pytest.mark.parametrize("speed", [1.0, 1 / 3.6])
+def test_only_oversteer_turns_a_car_more_than_its_steer_asks(speed):
+    """At 14 m/s a car answers with 0.8 of the yaw rate of one on rails; with its speed too small, 2.9."""
+    log = drive(U=14.0, seconds=60)
+    found = check(values_of(log, U=speed), U="U [km/h]")
+    if speed == 1.0:
+        assert found == []
+    else:
+        assert [(one.fault, one.certain, one.fix) for one in found] == [
+            ("steer_against_yaw", False, "speed_is_m_per_s")
+        ]
+
+
+def test_an_ay_that_follows_a_slaloms_sine_is_compared_in_size():
+    t = np.arange(0, 20, 0.01)
+    rate = 0.1 * np.sin(np.pi * t) + 0.001 * np.random.default_rng(0).standard_normal(t.size)
+    values = {"t": t, "delta": 0.03 * np.sin(np.pi * t + 0.3), "r": rate, "U": np.full(t.size, 16.0)}
+    assert check(values | {"ay": 16.0 * rate}) == []
+    found = check(values | {"ay": 1.4 * 16.0 * rate})
+    assert [(one.fault, one.certain) for one in found] == [("ay_against_yaw", False)]
+
+
 @settings(max_examples=60, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(0.05, 3.0))
 def test_signals_that_have_nothing_to_do_with_each_other_are_not_related(seed, width):

@@ -71,3 +71,21 @@ def test_a_call_that_cannot_be_carried_out_raises(tmp_path):
     with pytest.raises(UsageError, match="is no repair") as caught:
         survey(path, fixes=["sort_times"])
     assert caught.value.paste == "--fix sort_time"
+
+
+@pytest.mark.parametrize("fault", ["fill_value", "impossible_unit"])
+def test_a_lateral_acceleration_that_cannot_be_is_left_out_and_said(tmp_path, fault):
+    columns = np.column_stack([drive(), np.sin(np.arange(300.0))])
+    columns[20:60:9, 4] = -9999
+    if fault == "impossible_unit":
+        columns[:, 4] = 100 * np.sin(np.arange(300.0)) * np.linspace(1, 2, 300)
+    path = write(tmp_path, csv_text(columns, headers=(*HEADERS, "ay [m/s^2]")))
+
+    log = read_log(path)
+
+    (found,) = log.findings
+    assert (found.fault, found.certain) == (fault, False) and "ay is not used" in found.what
+    assert log.ay is None
+    if fault == "fill_value":
+        mended = read_log(path, fixes=[found.fix])
+        assert mended.findings[0].fault == "cells_missing" and np.isnan(mended.ay).sum() == 5

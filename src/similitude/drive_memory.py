@@ -23,8 +23,10 @@ from similitude.filter_run import Pass, Setup
 from similitude.monitor_config import DESIGN as MONITOR
 from similitude.program.library import Library, shipped
 from similitude.saved_state import SavedState, StateError, fits
+from similitude.servo import Servo
 from similitude.time_scales import DAY, DRIFT, TimeScales
 from similitude.vehicle_file import Vehicle
+from similitude.vehicle_prior import ONE_DRIVE
 
 PARKED = 600.0  # s: after ten minutes people and load may be others, and the tyres are cold
 PARKED_STD = 0.10  # of ln K that comes with it, and with the first minutes of a stop
@@ -32,6 +34,7 @@ BIAS_STD = 0.5e-3  # rad/s: a gyro's bias from one switch-on to the next
 EPOCH = 1e5  # s: a later time stamp is a clock's, not a time into the drive
 AFTER_A_STOP = 2 * DESIGN["gap"]  # s: enough for the dynamics to start anew
 TAIL = 0.5  # s of steer kept, longer than any lag
+SERVO_TAIL = 25.0  # time constants of a servo, which has forgotten what was before them
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,13 +65,14 @@ class TakenUp:
 def remember(vehicle: Vehicle, done: Pass, seen: Watch, scales: TimeScales, lag_std: float) -> SavedState:
     """The state after a drive; ``lag_std`` the sd of ln K that its steer lag adds [-]."""
     setup, log = done.setup, done.setup.log
-    late = (log.t > log.t[-1] - TAIL) & np.isfinite(log.delta)
+    late = (log.t > log.t[-1] - TAIL - SERVO_TAIL * setup.servo.constant) & np.isfinite(log.delta)
     return SavedState(
         made_for=made_for(vehicle, setup),
         settings={
             "yaw_rate_noise": float(setup.noise_std),
             "steer_scale_std": float(setup.input_scale_sd),
             "steer_lag": float(setup.lag),
+            **_servo(setup.servo),
             "ln_K_std_of_lag": float(lag_std),
         },
         clock=float(log.t[-1]),
@@ -77,6 +81,12 @@ def remember(vehicle: Vehicle, done: Pass, seen: Watch, scales: TimeScales, lag_
         monitor=seen.state.tolist(),
         tyre=scales.kept,
     )
+
+
+def _servo(servo: Servo) -> dict[str, float]:
+    """Its settings; a slew without limit is left out, as a file holds no infinity."""
+    slew = {} if np.isinf(servo.slew) else {"steer_servo_slew": float(servo.slew)}
+    return {"steer_servo": float(servo.constant)} | slew
 
 
 def made_for(vehicle: Vehicle, setup: Setup) -> dict[str, Any]:
@@ -147,7 +157,7 @@ def _sizes_or_raise(state: SavedState, library: Library) -> None:
 
 
 def _age(state: NDArray[np.float64], setup: Setup, elapsed: float) -> None:
-    """Let the variances of K and bias grow with the time that passed."""
+    """Let the variances of K and bias grow with time; no drive is sure of the other groups."""
     library = setup.library
     names = list(library.layout.COORDINATES)
     first, n = library.index("state", "P"), len(names)
@@ -162,6 +172,8 @@ def _age(state: NDArray[np.float64], setup: Setup, elapsed: float) -> None:
     added = min(DESIGN["drift"] * elapsed, PARKED_STD**2) + DRIFT * elapsed
     state[K] = max(state[K], min(state[K] + added, prior))
     most = DESIGN["output_bias_sd"] ** 2
+    for name, std in zip(setup.prior.names[1:], setup.prior.std[1:], strict=True):
+        state[place(name)] = max(state[place(name)], float(ONE_DRIVE * std) ** 2)
     added = DESIGN["bias_drift"] * elapsed + (BIAS_STD**2 if parked else 0.0)
     state[bias] = max(state[bias], min(state[bias] + added, most))
 

@@ -21,6 +21,7 @@ from similitude.filter_config import filter_config
 from similitude.log import Log
 from similitude.population import Prior
 from similitude.program.library import Library, shipped
+from similitude.servo import DIRECT, Servo
 from similitude.slow_bus import bridged
 
 POPULATION = "saturating_bicycle_population"
@@ -42,6 +43,7 @@ class Setup:
     noise_std: float  # rad/s
     input_scale_sd: float  # -
     lag: float = 0.0  # s
+    servo: Servo = DIRECT  # through which the wheels follow the steer of a lag ago
     accelerometer: Accelerometer | None = None
     first_step: float | None = None  # s from the last row of an earlier log
     tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
@@ -66,15 +68,17 @@ class Setup:
         return np.column_stack(columns)
 
     def _acting_steer(self) -> NDArray[np.float64]:
-        """Steer of a lag ago, (n,) [rad]; a short hole is bridged, a long one stays missing."""
+        """Steer of a lag ago behind the servo, (n,) [rad]; a long hole stays missing, a short is bridged."""
         t, steer = self.log.t, self.log.delta
         known = np.flatnonzero(np.isfinite(steer))
-        if self.lag == 0 or known.size < 2:
+        if (self.lag == 0 and self.servo.is_none) or known.size < 2:
             return steer
         there, angle = t[known], steer[known]
         if self.tail is not None:
             there, angle = np.concatenate([self.tail[0], there]), np.concatenate([self.tail[1], angle])
-        acting = np.interp(t - self.lag, there, angle)
+        before = t[:0] if self.servo.is_none else there[there + self.lag < t[0]] + self.lag
+        at = np.concatenate([before, t])
+        acting = self.servo.follow(at, np.interp(at - self.lag, there, angle))[before.size :]
         wide = np.diff(there) > max(BRIDGED, 3 * self.usual_step)
         if not wide.any():
             return acting
@@ -109,6 +113,10 @@ class Setup:
     def with_accelerometer(self, accelerometer: Accelerometer) -> Setup:
         """The same with the filter that takes lateral acceleration."""
         return replace(self, accelerometer=accelerometer, library=shipped(WITH_ACCELEROMETER))
+
+    def with_servo(self, servo: Servo) -> Setup:
+        """The same with another steering servo."""
+        return replace(self, servo=servo)
 
     def with_lag(self, lag: float, input_scale_sd: float) -> Setup:
         """The same with another steer lag [s] and steer scale sd [-]."""

@@ -13,6 +13,7 @@ from similitude.estimators.output_error import output_error_method
 from similitude.estimators.paper import paper_regression
 from similitude.estimators.population_filter import population_filter
 from similitude.estimators.robust import robust_regression
+from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.estimators.small_population import small_population_filter
 from similitude.program.c import print_c
 from similitude.program.ir import Program
@@ -35,6 +36,7 @@ def shipped() -> tuple[Program, ...]:
         band_regression,
         output_error_method,
         robust_regression,
+        scalar_population_filter,
     )
     richer = (saturating_bicycle_reduction(), bicycle_with_accelerometer_reduction())
     return (*map(population_filter, richer), *(make(reduction) for make in makers))

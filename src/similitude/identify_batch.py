@@ -14,6 +14,7 @@ from similitude.handling import handling
 from similitude.identify_population import trace_of, usual_speed
 from similitude.identify_setup import (
     assumed_of,
+    average_lag,
     group_table,
     held_by_limits,
     prepare,
@@ -64,7 +65,7 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
         groups=group_table(values, batch.std[:4], prior),
         nuisance=_nuisance(batch),
         lag=ready.scan,
-        prediction=predict_ahead(ready.setup, batch, recursive=False),
+        prediction=predict_ahead(ready.setup, batch, recursive=False, average_lag=average_lag(ready)),
         handling=handling(
             values, batch.covariance[:4, :4], L=ready.setup.L, U=usual_speed(done), mass=vehicle.m
         ),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.estimators import ladder_design as design
-from similitude.identify_setup import Prepared, assumed_of, prepare, seen_speed
+from similitude.identify_setup import Prepared, assumed_of, average_lag, prepare, seen_speed
 from similitude.ladder_passes import WORDS, RungPass, doubts, rung
 from similitude.log import Log
 from similitude.prediction import predict_ahead
@@ -52,7 +52,7 @@ def identify_ladder(log: Log, vehicle: Vehicle, *, estimator: str) -> Run:
         groups={"K": Group(K.value, K.std, mean, mean * float(prior.std[0]), MEANING)},
         nuisance={},
         lag=ready.scan,
-        prediction=predict_ahead(ready.setup, K=trace.K),
+        prediction=predict_ahead(ready.setup, K=trace.K, average_lag=average_lag(ready)),
         handling={},
         warnings=(*log.warnings, *_warnings(ready, done, found)),
         assumed=_assumed(ready, estimator, found),

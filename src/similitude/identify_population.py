@@ -17,6 +17,7 @@ from similitude.filter_run import Pass, Setup, side_by_side
 from similitude.handling import handling
 from similitude.identify_setup import (
     assumed_of,
+    average_lag,
     group_table,
     held_by_limits,
     prepare,
@@ -85,7 +86,7 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
         groups=group_table(values, np.sqrt(np.diag(covariance)), prior),
         nuisance=_nuisance(done),
         lag=scan,
-        prediction=predict_ahead(setup, batch),
+        prediction=predict_ahead(setup, batch, average_lag=average_lag(ready)),
         handling=handling(values, covariance, L=setup.L, U=usual_speed(done), mass=vehicle.m),
         warnings=(
             *log.warnings,

@@ -13,17 +13,19 @@ from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit, fit_batch
 from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
-from similitude.filter_config import COMMANDED_STEER_SD, MEASURED_STEER_SD
-from similitude.filter_run import LINEAR, Pass, Setup, population_setup
+from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
+from similitude.filter_run import LINEAR, POPULATION, Pass, Setup, population_setup
 from similitude.log import Log
 from similitude.noise import SensorNoise, gyro_noise
 from similitude.population import Prior
 from similitude.program.library import shipped
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
+from similitude.servo import Servo
 from similitude.slow_bus import held_columns, new_readings, without_lines, without_repeats
 from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
+from similitude.steer_servo import find_servo
 from similitude.vehicle_file import Vehicle
-from similitude.vehicle_prior import NAMES, vehicle_prior
+from similitude.vehicle_prior import NAMES, ONE_DRIVE, vehicle_prior
 
 MEANING = {
     "K": "Caf L/m, front cornering stiffness per mass and length",
@@ -39,6 +41,7 @@ SCALE_CHANGE = 0.05  # of the steer angle, to say what its scale does to K
 WORTH_SAYING = 0.01  # of K
 MOSTLY = 0.75  # of the prior variance gone: half its sd
 FROM_STATE = "state file"
+LIMIT_DRIVE = 0.1  # of the rows
 APART = 3.0  # sd between the halves of a log: one log in 400 by chance
 
 
@@ -67,7 +70,10 @@ def prepare(log: Log, vehicle: Vehicle, settings: Mapping[str, float] | None = N
     setup = population_setup(without_repeats(log, held), prior, **known)
     scan = find_lag(setup, vehicle)
     commanded = looks_like_command(scan)
+    if commanded and vehicle.steer_lag is None:
+        scan = find_servo(setup, scan)
     setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
+    setup = setup.with_servo(scan.servo)
     return Prepared(vehicle, prior, noise, setup, scan, commanded, held)
 
 
@@ -76,20 +82,31 @@ def _as_before(
 ) -> Prepared:
     noise = SensorNoise(settings["yaw_rate_noise"], fresh=1.0, step=0.0)
     scale, lag = settings["steer_scale_std"], settings["steer_lag"]
+    servo = Servo(settings.get("steer_servo", 0.0), settings.get("steer_servo_slew", np.inf))
     setup = population_setup(log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=scale)
-    scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE)
-    return Prepared(vehicle, prior, noise, setup.with_lag(lag, scale), scan, looks_like_command(scan), held)
+    scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE, servo=servo)
+    setup = setup.with_lag(lag, scale).with_servo(servo)
+    return Prepared(vehicle, prior, noise, setup, scan, looks_like_command(scan), held)
 
 
 def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     """The batch fit, started where a pass of the population filter ended."""
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
-    frozen = FrozenFilter(replace(ready.setup, library=shipped(LINEAR)), prior)
+    frozen = FrozenFilter(replace(ready.setup, library=shipped(_tyres(ready.setup.log))), prior)
     scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
     return fit_batch(frozen, frozen.coordinates(start), scales)
+
+
+def _tyres(log: Log) -> str:
+    """The program of the whole-log fit: tyres that saturate where much was driven beyond the linear range.
+
+    Elsewhere their grip, which the fit takes as known, would have a say in K for nothing.
+    """
+    beyond = np.abs(log.U * log.r) > DESIGN["validity_limit"]
+    return POPULATION if np.mean(beyond) > LIMIT_DRIVE else LINEAR
 
 
 def with_fitted_lag(ready: Prepared, batch: BatchFit | None) -> Prepared:
@@ -142,7 +159,11 @@ def held_by_limits(
 
 
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:
-    """Every unknown beside what the population said; ``std`` (4,) of the coordinates."""
+    """Every unknown beside what the population said; ``std`` (4,) of the coordinates.
+
+    All but K keep half the population's spread at least: what the model lacks looks like them.
+    """
+    std = np.concatenate([std[:1], np.maximum(std[1:], ONE_DRIVE * prior.std[1:])])
     groups = {}
     for i, name in enumerate(NAMES):
         is_log = prior.kinds[i] == "log"
@@ -165,9 +186,9 @@ def warnings_of(ready: Prepared, batch: BatchFit | None, *, learnt: bool) -> lis
         lines.append(f"running the scalar Python twin, {setup.library.why_slow}{left_out}")
     if ready.commanded:
         lines.append(
-            f"the steer acts {1000 * scan.chosen:.0f} ms after its column says so: it looks like a command, "
+            f"the steer acts {1000 * scan.total:.0f} ms after its column says so: it looks like a command, "
             "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
-            + (" (or steer and yaw rate were logged by two clocks)" if scan.chosen > TWO_CLOCKS else "")
+            + (" (or steer and yaw rate were logged by two clocks)" if scan.total > TWO_CLOCKS else "")
         )
     if scan.early:
         lines.append(
@@ -239,8 +260,24 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
             ready.noise.std, "rad/s", "vehicle file" if stated else _noise_origin(scan)
         ),
         "steer_lag": Assumed(scan.chosen, "s", lag.get(scan.origin, scan.origin)),
+        **_of_the_servo(scan),
         "steer_scale_std": Assumed(ready.setup.input_scale_sd, "-", scale),
     }
+
+
+def _of_the_servo(scan: LagScan) -> dict[str, Assumed]:
+    origin = FROM_STATE if scan.origin == FROM_STATE else "scanned: the log and what is usual"
+    found = {} if scan.servo.is_none else {"steer_servo": Assumed(scan.servo.constant, "s", origin)}
+    if np.isfinite(scan.servo.slew):
+        found["steer_servo_slew"] = Assumed(scan.servo.slew, "rad/s", origin)
+    return found
+
+
+def average_lag(ready: Prepared) -> float:
+    """Steer lag [s] of the average vehicle, of which nothing was learnt from the log."""
+    if ready.vehicle.steer_lag is not None:
+        return ready.vehicle.steer_lag.value
+    return (COMMANDED_LAG if ready.commanded else MEASURED_LAG).value
 
 
 def _noise_origin(scan: LagScan) -> str:

@@ -38,6 +38,8 @@ AT_END = 0.01, 0.8  # share of the rows at an end: cut off there
 VISITS = 2
 PILED = 3.0  # times the rows of the next step; rounding gives a sine's peak 2.4 times at most
 BETTER = 0.05  # of what is left unexplained, taken away by the bulges of a steer that goes on
+CENSORED_ROUNDS = 8
+BEYOND_STEP = 0.35  # of the readings' step; the top of a rounded sine is a sixth above its last step
 BEYOND_END = 0.1  # sd of the yaw rate, by which a steer asks for more than its largest value
 
 
@@ -190,35 +192,51 @@ def cut_off(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
 def cut_short(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     """Rows (n,) in which the yaw rate stands at an end of its range while the steer asks for more.
 
-    Noise alone lifts a largest value above what the steer asks for, so that chance speaks against a cut.
+    What is asked for is learnt with the rows at an end taken for the least that the car turned. Noise alone
+    lifts a largest value above what the steer asks for, so that chance speaks against a cut.
     """
     rates = values["r"]
     ends = _ends(rates)
-    if ends.any():
-        ends *= _is_piled(rates)
     rows = np.zeros(rates.size, dtype=bool)
     seen = Following.of(values, name) if ends.any() else None
     if seen is None:
         return rows
     design, known = seen.design()
-    side = np.nan_to_num(_means(seen.t, ends))
-    there = known & (np.abs(side) > 0.5)
-    answer = _Answer.of(design, seen.turned, known & (side == 0))
-    if answer is None or np.count_nonzero(there) < LEAST_BINS:
+    side = np.nan_to_num(_means(seen.t, ends))[known]
+    there = np.abs(side) > 0.5
+    if np.count_nonzero(known) < FEWEST_BINS or there.sum() < LEAST_BINS:
         return rows
-    asked = answer.design @ _solved(answer.square, answer.product)
-    beyond = float(np.mean((np.sign(side) * (asked - answer.turned))[there]))
+    beyond, rest = _asked_beyond(design[known], seen.turned[known], np.where(there, np.sign(side), 0.0))
+    spread = float(np.std(seen.turned[known]))
+    if not float(np.var(rest)) <= (1 - EXPLAINED) * spread**2:
+        return rows
     visits = np.count_nonzero(np.diff(there.astype(np.int8)) == 1) + int(there[0])
-    sure = max(
-        BEYOND_NOISE * answer.noise / np.sqrt(visits), BEYOND_END * float(np.std(answer.turned[known]))
-    )
+    noise = 1.4826 * float(np.median(np.abs(rest)))
+    sure = max(BEYOND_NOISE * noise / np.sqrt(visits), BEYOND_END * spread)
+    if not _is_piled(rates)[ends != 0].any():
+        sure = max(sure, BEYOND_STEP * _step(rates))
     return ends != 0 if beyond > sure else rows
+
+
+def _asked_beyond(design: np.ndarray, turned: np.ndarray, side: np.ndarray) -> tuple[float, np.ndarray]:
+    """By how much the steer asks for more where a rate stands at an end; what it leaves elsewhere."""
+    design = design / _sizes(design)
+    square = design.T @ design
+    asked = turned
+    for _ in range(CENSORED_ROUNDS):
+        least = np.where(side * (asked - turned) > 0, asked, turned)
+        asked = design @ _solved(square, design.T @ least)
+    return float(np.mean((side * (asked - turned))[side != 0])), (turned - asked)[side == 0]
+
+
+def _step(x: np.ndarray) -> float:
+    steps = np.abs(np.diff(x))
+    return float(np.nanquantile(steps[steps > 0], 0.01)) if np.any(steps > 0) else 0.0
 
 
 def _is_piled(x: np.ndarray) -> np.ndarray:
     """1 (n,) where a signal is at an extreme that holds more rows than chance and rounding give it."""
-    steps = np.abs(np.diff(x))
-    step = float(np.nanquantile(steps[steps > 0], 0.01)) if np.any(steps > 0) else 0.0
+    step = _step(x)
     piled = np.zeros(x.size)
     for extreme in (np.nanmin(x), np.nanmax(x)):
         there = x == extreme

@@ -33,15 +33,16 @@ MOSTLY_BACKWARD = 0.9  # of the moving rows; a drive in reverse gear is short
 SIGN_MARGIN = 0.25  # by which one sign must be more alike than the other; both fit a fast sine
 
 # The gain of a car that understeers is 1/(1 + F/F0) at Froude number F. Over the populations F0 lies
-# above 5, and a steer that is a command may reach the wheels at 0.67. Oversteer raises the gain, on
-# the road never above 3.
+# above 5, and a steer that is a command may reach the wheels at 0.67, or be logged at that. Oversteer
+# raises the gain, on the road never above 3.
 LEAST_FROUDE = 5.0
 LEAST_SHARE = 0.67
-LARGEST_GAIN = 3.0
+LARGEST_GAIN = 1.5
 TYPICAL_FROUDE = 25.0
 UNEXPLAINED = 2.5  # a single fault explains the gain within this factor, or none does
+NEAR, NEAR_SPEED = 0.1, 0.35  # of the logarithm, within which faults explain a gain equally well
 USUAL_SIDE = 0.15  # g; rms of the lateral acceleration of a drive that is to show something
-CERTAIN = 2.0  # times beyond these bounds that no car and no noise explains
+CERTAIN = 2.0  # times below, and 4 times above these bounds, that no car and no noise explains
 
 READ = 'docs/logs.md, "Faults of units and signs"'
 
@@ -249,21 +250,22 @@ def _judge_gain(
     beyond = max(large, small)
     if beyond <= 1:
         return []
-    typical = 1 / (1 + froude / TYPICAL_FROUDE)
     slope = min(relation.slope, relation.most)
-    usually, paste, fix = _explain(slope / typical, columns, steer * froude / USUAL_SIDE)
+    usually, paste, fix = _explain(slope, froude, columns, steer * froude / USUAL_SIDE)
     rate = column_of("r", columns).header
     bound = f"at most {LARGEST_GAIN:g}" if large > small else f"at least {least:.2g} at this speed"
     return [Finding(
-        "steer_against_yaw", bool(beyond > CERTAIN),
+        "steer_against_yaw", bool(max(large / 2, small) > CERTAIN),
         f"column {shown(rate)} of {file} is {slope:.3g} times U delta / L, the yaw rate of a "
         f"car on rails; a car has {bound}",
         usually, paste, READ, column=rate, value=slope, fix=fix,
     )]  # fmt: skip
 
 
-def _explain(factor: float, columns: Mapping[str, Column], likely: float) -> tuple[str, str, str | None]:
-    """The single fault that makes the gain wrong by this factor: words, line to paste, repair.
+def _explain(
+    slope: float, froude: float, columns: Mapping[str, Column], likely: float
+) -> tuple[str, str, str | None]:
+    """The single fault that makes the gain of a usual car this one: words, line to paste, repair.
 
     A steer too large by 57 and a yaw rate too small by 57 look alike; that one goes first under which
     the steer is nearest to what drivers steer at this speed: ``likely`` is its size over that.
@@ -282,19 +284,27 @@ def _explain(factor: float, columns: Mapping[str, Column], likely: float) -> tup
         faults.append((degree / steer.unit.factor, f"{shown(steer.header)} is in deg", "steer_is_deg"))
     if not np.isclose(steer.unit.factor, 1.0):
         faults.append((1 / steer.unit.factor, f"{shown(steer.header)} is in rad", "steer_is_rad"))
-    faults += [(1 / factor, words, repair) for factor, words, repair in _other_speeds(speed)]
+    for factor, words, repair in _other_speeds(speed):  # at another speed, a car answers otherwise
+        other = (1 + froude / TYPICAL_FROUDE) / (1 + froude / factor**2 / TYPICAL_FROUDE)
+        faults.append((other / factor, words, repair))
     if "delta" in columns:
         faults.append((1 / 15.0, f"{shown(steer.header)} is the angle of the steering wheel",
                        f'--map "steering_wheel={name}"'))  # fmt: skip
     else:
         faults.append((15.0, f"{shown(steer.header)} is that of the road wheel already",
                        f'--map "delta={name}"'))  # fmt: skip
-    distances = sorted((abs(np.log(factor / one[0])), one[1], one[2]) for one in faults)
+    beyond = slope * (1 + froude / TYPICAL_FROUDE)  # times what a usual car has at this speed
+    distances = sorted((abs(np.log(beyond / one[0])), one[1], one[2]) for one in faults)
     if distances[0][0] > np.log(UNEXPLAINED):
         return "the wheelbase, the steering ratio or a unit is wrong.", 'L = "2.69 m"', None
-    near = [one for one in distances if one[0] < distances[0][0] + 0.1]
+    order = [repair for _, _, repair in SPEEDS]  # the frequent ones first
+    best = distances[0]
+    near = [
+        one for one in distances if one[0] < best[0] + (NEAR_SPEED if {one[2], best[2]} <= {*order} else NEAR)
+    ]
     in_rad = {"steer_is_deg": degree / steer.unit.factor, "steer_is_rad": 1 / steer.unit.factor}
-    near.sort(key=lambda one: abs(np.log(max(likely, 1e-9) * in_rad.get(one[2], 1.0))))
+    near.sort(key=lambda one: (abs(np.log(max(likely, 1e-9) * in_rad.get(one[2], 1.0))),
+                               order.index(one[2]) if one[2] in order else 0))  # fmt: skip
     words = ", or ".join(one[1] for one in near)
     repair = near[0][2]
     if repair.startswith("--map"):

@@ -17,11 +17,11 @@ DESIGN = {
     "disturbance_rate": 1 / 1.2,  # 1/s, as in the filter
     "companion_rate": 0.5,  # 1/s: an unstable car's drive along the steer alone stays near the measured one
     "evidence_floor": 0.5,  # half of it, and the next change is looked for
-    "evidence_leak": 1 / 10.0,  # 1/s: a reference that is a little wrong does not add up
+    "evidence_leak": 1 / 50.0,  # 1/s: a reference that is a little wrong does not add up
     "age_most": 10.0,  # s: what takes longer is not a jump; the reference follows it
     "gain_rate": 1 / 0.1,  # 1/s
     "gain_most": 60.0,  # 1/s: a kerb is over after a tenth of a second
-    "piece_most": 4.7,  # so it takes two half-waves
+    "piece_most": 5.7,  # so it takes two half-waves
     "gust_output": 0.011,  # rad/s: 0.6 deg/s within a half-wave is more than a gust does
     "size_least": 0.3,  # ln: less than 26 % is not looked for
     "size_most": 1.2,  # ln: a factor of 3.3
@@ -49,15 +49,15 @@ DESIGN = {
     "validity_limit": 4.0,  # m/s^2: a saturating tyre looks like a softer one
     "validity_rate": 1.0,  # 1/s
 }
-THRESHOLD = 9.0
-BETWEEN_FALSE_ALARMS = 9.6  # h, with that threshold: five in 48 h, at least 4.6 h with 95 %
+THRESHOLD = 11.0
+BETWEEN_FALSE_ALARMS = 8.0  # h, with that threshold: six in 48 h, at least 4.1 h with 95 %
 MEASURED = (
-    (5.0, 0.38),
-    (6.0, 1.5),
-    (7.0, 3.2),
-    (8.0, 4.8),
-    (9.0, 9.6),
-    (10.0, 12.0),
+    (7.0, 1.23),
+    (8.0, 2.82),
+    (9.0, 5.33),
+    (10.0, 6.0),
+    (11.0, 8.0),
+    (12.0, 12.0),
 )  # threshold, h between alarms
 RISE_MORE = 4.0  # a fall is a danger, a rise is not
 

@@ -16,6 +16,7 @@ from similitude.batch_fit import BatchFit
 from similitude.batch_pass import FROZEN
 from similitude.filter_run import LINEAR, Setup, side_by_side
 from similitude.program.library import shipped
+from similitude.servo import DIRECT
 
 HORIZON = 1.0  # s
 MOST = 600  # predictions, about: five minutes twice a second; of a longer log they lie further apart
@@ -36,19 +37,22 @@ def predict_ahead(
     setup: Setup,
     batch: BatchFit | None = None,
     *,
+    average_lag: float | None = None,
     recursive: bool = True,
     K: NDArray[np.float64] | None = None,
 ) -> dict[str, Any]:
     """Root mean square error of the yaw rate one second ahead [rad/s].
 
-    Against the average car with linear tyres (with offset and bias followed), the batch fit's car
-    with its own offset and bias (it has seen the whole log, the future included), and the kinematic
-    yaw rate U delta/L; the steer and speed that were driven are used.
+    Against the average car with linear tyres (with offset and bias followed), the same with the steer
+    lag and servo of this log, the batch fit's car with its own offset and bias (it has seen the whole
+    log, the future included), and the kinematic yaw rate U delta/L; the steer and speed that were driven
+    are used.
 
     Parameters
     ----------
     setup : Setup        of the log.
     batch : BatchFit     of the same log, or None.
+    average_lag : float  steer lag of the average car [s]; without one the lag and servo of the log.
     recursive : bool     whether the estimate that is judged is the filter's; else it is the batch fit's.
     K : (n,)             another estimator's K at every row [m^2/s^2], to be judged in place of the filter's;
                          the other groups are the population's averages, offset and bias are followed.
@@ -56,16 +60,22 @@ def predict_ahead(
     Returns
     -------
     dict    ``horizon_s``, ``predictions`` (how many were judged), ``unit``, ``rms`` by what predicted
-            (``estimate``, ``frozen_averages``, ``batch``, ``kinematic``), ``ratio_to_frozen`` and
-            ``ratio_to_batch``; None where nothing could be judged.
+            (``estimate``, ``frozen_averages``, ``averages_with_lag``, ``batch``, ``kinematic``),
+            ``ratio_to_frozen``, ``ratio_to_averages_with_lag`` and ``ratio_to_batch``; None where
+            nothing could be judged.
     """
-    rows = setup.samples()
-    averages = replace(setup, library=shipped(LINEAR))
-    starts = {"frozen_averages": _started(averages, averages.samples(), **FROZEN)}
+    in_step = replace(setup, library=shipped(LINEAR))
+    usual = in_step
+    if average_lag is not None:
+        usual = in_step.with_servo(DIRECT).with_lag(average_lag, setup.input_scale_sd)
+    starts = {
+        "frozen_averages": _started(usual, **FROZEN),
+        "averages_with_lag": _started(in_step, **FROZEN),
+    }
     if K is not None:
-        starts["estimate"] = replace(_started(averages, averages.samples(), **FROZEN), K=K)
+        starts["estimate"] = replace(_started(in_step, **FROZEN), K=K)
     elif recursive:
-        starts["estimate"] = _started(setup, rows)
+        starts["estimate"] = _started(setup)
     if batch is not None:
         held = replace(batch.frozen, setup=replace(setup, library=batch.frozen.setup.library))
         config, state = held.ready(batch.x, batch.scales, zero=batch.zero, held=True)
@@ -75,7 +85,7 @@ def predict_ahead(
     if not recursive and K is None:
         ahead["estimate"] = ahead["batch"]
     _, measured, kinematic = ahead["estimate"]
-    order = ("estimate", "frozen_averages", *(["batch"] if batch is not None else []))
+    order = ("estimate", "frozen_averages", "averages_with_lag", *(["batch"] if batch is not None else []))
     predicted = {name: ahead[name][0] for name in order} | {"kinematic": kinematic}
     fine = np.isfinite(measured) & np.logical_and.reduce([np.isfinite(x) for x in predicted.values()])
     rms = {name: _rms((x - measured)[fine]) for name, x in predicted.items()}
@@ -85,13 +95,14 @@ def predict_ahead(
         "unit": "rad/s",
         "rms": rms,
         "ratio_to_frozen": _ratio(rms["estimate"], rms["frozen_averages"]),
+        "ratio_to_averages_with_lag": _ratio(rms["estimate"], rms["averages_with_lag"]),
         "ratio_to_batch": _ratio(rms["estimate"], rms.get("batch")),
     }
 
 
-def _started(setup: Setup, rows: NDArray[np.float64], **changes: float) -> _Start:
+def _started(setup: Setup, **changes: float) -> _Start:
     config = setup.config(**changes)
-    return _Start(setup, config, setup.library.start(config), rows)
+    return _Start(setup, config, setup.library.start(config), setup.samples())
 
 
 def _ratio(one: float | None, other: float | None) -> float | None:

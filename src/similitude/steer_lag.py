@@ -6,6 +6,7 @@ steer angles as far as the log allows it, said to be assumed, and its uncertaint
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from similitude.filter_config import COMMANDED_STEER_SD
 from similitude.filter_run import Setup, side_by_side
+from similitude.servo import DIRECT, Servo
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
@@ -35,6 +37,8 @@ COMMAND = 0.03  # s: a measured road wheel does not act this late; a command doe
 class LagScan:
     """Lags tried (k,) [s], their cost (k,) above the best [-], and the one chosen [s], with its sd.
 
+    Behind the lag a command passes a ``servo``.
+
     ``early`` [s] is by how much the yaw rate comes before the steer that should cause it, which no car
     does and two clocks do; zero where the log does not speak for it.
     """
@@ -45,6 +49,12 @@ class LagScan:
     origin: str
     std: float = 0.0  # of the chosen lag [s]; zero where the vehicle file states it
     early: float = 0.0
+    servo: Servo = DIRECT
+
+    @property
+    def total(self) -> float:
+        """By how much the wheels are behind the steer of the log while it turns steadily [s]."""
+        return self.chosen + self.servo.constant
 
 
 def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
@@ -64,9 +74,9 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     empty = np.empty(0)
     if vehicle.steer_lag is not None:
         return LagScan(empty, empty, vehicle.steer_lag.value, "vehicle file")
-    both, costs = _scanned(setup.at_rate(RATE))
-    ahead, lags = costs[both < 0], both[both >= 0]
-    cost = costs[both >= 0]
+    both, all_costs = _scanned(setup.at_rate(RATE), EARLY)
+    ahead, lags = all_costs[both < 0], both[both >= 0]
+    cost = all_costs[both >= 0]
     best, first = int(np.argmin(cost)), int(np.argmin(ahead))
     early = -float(both[first]) if cost[best] - ahead[first] > CONVINCING else 0.0
     cost = cost - cost[best]
@@ -76,31 +86,48 @@ def find_lag(setup: Setup, vehicle: Vehicle) -> LagScan:
     return LagScan(lags, cost, chosen, "scanned", std, early)
 
 
-def _scanned(setup: Setup) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def lag_behind(setup: Setup) -> LagScan:
+    """The lag that the log of a command speaks for most, its servo being that of the setup."""
+    lags, cost = _scanned(setup.at_rate(RATE), ())
+    best = int(np.argmin(cost))
+    cost = cost - cost[best]
+    chosen, std = _vertex(lags, cost, best) if best else (0.0, STEP)
+    return LagScan(lags, cost, chosen, "scanned", std, servo=setup.servo)
+
+
+def _scanned(setup: Setup, early: tuple[float, ...]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Lags tried, early ones below zero, in order, and their costs in units of independent samples.
 
     Far lags are first tried in wide steps; around the best of them each `STEP` is, as it is for near ones.
     """
-    lags = np.concatenate([-np.array(EARLY[::-1]), NEAR, FAR])
-    losses = _losses(setup, lags)
+    lags = np.concatenate([-np.array(early[::-1]), NEAR, FAR])
+    tried = _losses(setup, lags)
     late = lags >= 0
-    best = float(lags[late][np.argmin(_costs(losses, setup)[late])])
+    best = float(lags[late][np.argmin(costs(tried, setup)[late])])
     around = best + STEP * np.array([-2.0, -1.0, 1.0, 2.0])
     new = around[(around > NEAR[-1] + STEP / 2) & (around < LONGEST)] if best >= NEAR[-1] else around[:0]
     new = new[np.abs(new[:, None] - lags).min(axis=1, initial=LONGEST) > STEP / 2]
     order = np.argsort(np.concatenate([lags, new]))
-    losses += _losses(setup, new)
-    return np.concatenate([lags, new])[order], _costs(losses, setup)[order]
+    tried += _losses(setup, new)
+    return np.concatenate([lags, new])[order], costs(tried, setup)[order]
 
 
 def _losses(setup: Setup, lags: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    return side_by_side([lambda lag=lag: setup.with_lag(lag, COMMANDED_STEER_SD).run().loss for lag in lags])
+    return losses([setup.with_lag(lag, COMMANDED_STEER_SD) for lag in lags])
 
 
-def _costs(losses: list[NDArray[np.float64]], setup: Setup) -> NDArray[np.float64]:
-    # Where steer is missing, each lag has other rows to show: all are judged on the same ones.
-    shared = np.logical_and.reduce([np.isfinite(loss) for loss in losses])
-    return np.array([loss[shared].sum() for loss in losses]) / max(1.0, DEPENDENT / setup.usual_step)
+def losses(setups: Sequence[Setup]) -> list[NDArray[np.float64]]:
+    """Negative log likelihood of every row, (n,) for each setup."""
+    return side_by_side([lambda one=one: one.run().loss for one in setups])
+
+
+def costs(tried: Sequence[NDArray[np.float64]], setup: Setup) -> NDArray[np.float64]:
+    """Sums of losses (n,) over the rows that all share, in units of independent samples.
+
+    Where steer is missing, each lag has other rows to show.
+    """
+    shared = np.logical_and.reduce([np.isfinite(loss) for loss in tried])
+    return np.array([loss[shared].sum() for loss in tried]) / max(1.0, DEPENDENT / setup.usual_step)
 
 
 def _of_measured(lags: NDArray[np.float64], cost: NDArray[np.float64]) -> tuple[float, str, float]:
@@ -125,4 +152,4 @@ def _vertex(lags: NDArray[np.float64], cost: NDArray[np.float64], best: int) -> 
 
 def looks_like_command(scan: LagScan) -> bool:
     """Whether the steer column acts so late that it must be a command rather than a measurement."""
-    return scan.chosen >= COMMAND
+    return scan.total >= COMMAND

@@ -19,6 +19,7 @@ from similitude.populations.shipped import shipped_population
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 
+ONE_DRIVE = 0.5  # of a group's prior sd: surer of it one drive is not, as errors of the model look like it
 NAMES = ("K", "pi1", "eta", "rho")
 FILE_SD = 0.10  # of the logarithm of a stiffness ratio or an inertia whose sd was not stated
 FILE_SD_PI1 = 0.02  # of a/L

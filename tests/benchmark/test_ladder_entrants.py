@@ -1,5 +1,7 @@
 """Our own entrants: no look into the future, the product's own numbers, every rung of the ladder."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -48,3 +50,13 @@ def test_the_change_is_alarmed_once_and_soon():
     alarms = BY_NAME["population"].estimate(linear_drive()[0]).alarms
 
     assert len(alarms) == 1 and 50.0 < alarms[0] < 52.0
+
+
+def test_a_late_yaw_rate_is_found_in_the_seconds_that_are_not_judged():
+    drive, _ = linear_drive()
+    late = replace(drive, r=np.concatenate([np.full(4, drive.r[0]), drive.r[:-4]]))
+
+    plain, found = prepared(drive).scan, prepared(late).scan
+    more = found.chosen - plain.chosen  # 40 ms, each lag with its sd
+    assert abs(more - 0.04) < 3 * np.hypot(plain.std, found.std)
+    assert prepared(late.until(30.0)).scan.chosen == found.chosen

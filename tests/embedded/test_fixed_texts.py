@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from similitude.embedded.fixed_profile import fixed_profile
-from similitude.embedded.fixed_texts import fixed_texts, integer_rows
+from similitude.embedded.fixed_profile import FIXED, fixed_profile
+from similitude.embedded.fixed_texts import expected_words, fixed_texts, integer_rows, self_test_drive
 from similitude.embedded.folder import export
 from similitude.embedded.verify import verify_folder
 
@@ -41,3 +41,13 @@ def test_an_exported_folder_passes_its_self_test(tmp_path):
     assert done.name == "bicycle_paper_fixed"
     page = (out / "README.md").read_text()
     assert "BICYCLE_PAPER_FIXED_MISSING" in page and "NaN" not in page
+
+
+@pytest.mark.parametrize("name", FIXED)
+def test_the_self_test_learns_and_meets_every_fault(name):
+    profile = fixed_profile("bicycle", name)
+    status = expected_words(profile, integer_rows(profile, self_test_drive(profile))).status
+    learnt = np.isin(status, [0, 2])  # ok, or used outside the linear range
+
+    assert learnt.sum() > 30
+    assert {1, 4, 5, 7} <= set(status.tolist())

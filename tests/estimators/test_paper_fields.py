@@ -27,4 +27,4 @@ def test_every_real_has_a_unit_and_a_meaning():
     fields = (*paper_fields.config_fields(r), *paper_fields.state_fields(r))
 
     assert all(f.unit and f.meaning for f in fields)
-    assert [f.size for f in fields if f.name.startswith("biquad")] == [len(paper_fields.BIQUAD)] * 2
+    assert [f.size for f in fields if f.name.startswith("poles")] == [2, 2]

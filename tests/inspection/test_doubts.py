@@ -20,7 +20,7 @@ from similitude.inspection.slow_relation import SlowRelation
 
 
 def plan(*, lag=0.0, std=0.002, origin="scanned", K=150.0, verdict="identified", commanded=False, early=0.0):
-    scan = SimpleNamespace(chosen=lag, std=std, origin=origin, early=early)
+    scan = SimpleNamespace(total=lag, std=std, origin=origin, early=early)
     return SimpleNamespace(
         scan=scan, commanded=commanded, K=K, K_prior=145.68, K_prior_std=0.5, verdict=verdict
     )

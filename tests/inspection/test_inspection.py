@@ -32,7 +32,7 @@ def test_f1tenth_steer_is_a_late_command_cut_off_at_its_limit(log):
 
     assert {"steer_cut", "late_steer", "standstill"} <= faults(found)
     # docs of the recording: 0.04 to 0.14 s, which the whole car's own lag is added to
-    assert 0.02 <= found.prospects.scan.chosen <= 0.14 < found.behind_steer.lag + 0.06
+    assert 0.02 <= found.prospects.scan.total <= 0.14 < found.behind_steer.lag + 0.06
     assert "0.34" in next(one.what for one in found.findings if one.fault == "steer_cut")
 
 

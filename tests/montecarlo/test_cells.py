@@ -12,7 +12,7 @@ from .experiment import fleet, score
 
 pytestmark = pytest.mark.slow
 
-DRIFTS = ("drift", "idle_drift", "jump_drift")
+DRIFTS = ("drift", "idle_drift", "jump_drift", "faint_drift")
 DISTURBANCES = ("disturbance_floor", "disturbance_share")  # sd; the variance is ten times
 
 

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from similitude.servo import Servo
 from similitude.status import STATUS
 
 
@@ -71,6 +72,7 @@ def example_run(
     )  # fmt: skip
     lags = np.linspace(0.0, 0.2, 21)
     lag = SimpleNamespace(
+        servo=Servo(0.045),
         lags=lags if scanned else np.zeros(0),
         cost=4e3 * (lags - 0.04) ** 2 * 25 if scanned else np.zeros(0),
         chosen=0.04,

@@ -1,14 +1,15 @@
 """Our own entrants: the estimators of the ladder, through their compiled loops and without reports.
 
 They are what `identify` runs, with one difference: nothing is taken from the end of a log for its
-beginning. The steer lag is that of measured angles (10 ms, sd 8 ms) and not fitted; only `batch` sees a
-whole log at once.
+beginning. The steer lag is fitted to the first ten seconds, which are not judged, as `identify` fits it to
+the whole log; only `batch` sees a whole log at once.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 from similitude.accelerometer import Accelerometer
 from similitude.benchmark.drives import AY_NOISE, Drive
 from similitude.benchmark.entrant import Answer, Entrant
+from similitude.benchmark.scoring import SETTLING
 from similitude.change_alarm import watch
 from similitude.estimators import paper_design
 from similitude.estimators.paper_bias import predicted_bias
@@ -25,7 +27,7 @@ from similitude.filter_config import MEASURED_STEER_SD
 from similitude.filter_run import Pass, population_setup, side_by_side
 from similitude.identify_paper import known_errors
 from similitude.identify_population import edges, trace_of
-from similitude.identify_setup import Prepared, whole_log
+from similitude.identify_setup import Prepared, whole_log, with_fitted_lag
 from similitude.ladder_passes import doubts, rung
 from similitude.log import Log
 from similitude.noise import SensorNoise
@@ -52,6 +54,14 @@ def ladder() -> list[Entrant]:
 
 def prepared(drive: Drive) -> Prepared:
     """Return a drive ready for the population's estimators, with nothing taken from its end."""
+    ready = _of_measured(drive)
+    start = _of_measured(drive.until(drive.t[0] + SETTLING))
+    lag = with_fitted_lag(start, whole_log(start, start.setup.run())).scan
+    return replace(ready, setup=ready.setup.with_lag(lag.chosen, MEASURED_STEER_SD), scan=lag)
+
+
+def _of_measured(drive: Drive) -> Prepared:
+    """The same with the lag that measured angles have."""
     log = Log(
         name="benchmark",
         path=None,
@@ -75,8 +85,9 @@ def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
     if accelerometer:
         place = drive.vehicle.accelerometer
         setup = setup.with_accelerometer(Accelerometer(place.value, place.sd, AY_NOISE))
-    lags = [SCAN.chosen, SCAN.chosen + SCAN.std, SCAN.chosen - SCAN.std]
-    done, later, earlier = side_by_side([setup.with_lag(lag, MEASURED_STEER_SD).run for lag in lags])
+    lag, sd = ready.scan.chosen, ready.scan.std
+    lags = [lag, lag + sd, max(lag - sd, 0.0)]
+    done, later, earlier = side_by_side([setup.with_lag(one, MEASURED_STEER_SD).run for one in lags])
     spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2
     sd = np.hypot(np.sqrt(done.output("variance")), spread)
     trace = trace_of(done, done.output("estimate"), sd)
@@ -96,7 +107,7 @@ def _regression(name: str, drive: Drive) -> Answer:
     ready = prepared(drive)
     one = rung(name, ready.setup, ready.prior)
     done = one.run()
-    sd = np.sqrt(sum(part**2 for part in doubts(done, SCAN).values()))
+    sd = np.sqrt(sum(part**2 for part in doubts(done, ready.scan).values()))
     sd[np.cumsum(done.output("unknowns") > 0) == 0] = ready.prior.std[0]
     return Answer(
         K=done.output("estimate"),

@@ -142,6 +142,10 @@ def _values(
         from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 
         return paper_config(library, sample_time=step, L=L, noise_std=noise, **PAPER_GROUPS)
+    if estimator == "scalar_population":
+        from similitude.estimators.scalar_design import scalar_config
+
+        return scalar_config(library, prior, sample_time=step, L=L, noise_std=noise)
     from similitude.estimators.ladder_design import ladder_config
 
     return ladder_config(library, prior, sample_time=step, L=L, noise_std=noise)
@@ -201,9 +205,11 @@ def _constants(estimator: str, step: float) -> dict[str, Any]:
     timed = {"sample_time": step, "dt_low": 0.5 * step, "dt_high": 1.5 * step}
     if estimator == "paper":
         from similitude.estimators.paper_design import DESIGN as PAPER
-        from similitude.estimators.paper_design import bessel_biquads
+        from similitude.estimators.paper_design import P_START, bessel_biquads, section_gain, section_poles
 
         sections = bessel_biquads(step)
-        own = {n: PAPER[n] for n in ("forgetting", "P_start", "P_low", "P_high", "variance_limit")}
-        return {**own, **timed, **{f"biquad_{i}": row for i, row in enumerate(sections, start=1)}}
+        own = {n: PAPER[n] for n in ("forgetting", "variance_limit")}
+        own |= {f"biquad_{i}": row for i, row in enumerate(sections, 1)}  # of the fixed-point profile
+        own["normal_start"] = 1.0 / (P_START * section_gain(sections) ** 2)
+        return {**own, **timed, **{f"poles_{i}": section_poles(row) for i, row in enumerate(sections, 1)}}
     return timed

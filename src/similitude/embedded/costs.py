@@ -17,6 +17,8 @@ from similitude.embedded.system import Source
 from similitude.embedded.targets import BYTES, LEVEL, Target
 from similitude.embedded.vectors import Vectors
 
+SAVING = ("save", "restore", "label", "put", "checksum")  # functions that no step needs
+
 
 @dataclass(frozen=True)
 class Cost:
@@ -73,9 +75,9 @@ def measure(
         unit=target.unit,
         mean=round(float(np.mean(out.counts)), 1),
         most=int(out.counts.max()),
-        step=plain["step"],
+        step=sum(size for name, size in plain.items() if name not in (*SAVING, "init")),
         init=plain["init"],
-        saving=sum(size for name, size in plain.items() if name not in ("step", "init")),
+        saving=sum(plain.get(name, 0) for name in SAVING),
         numbers=len(library.names("config")) * BYTES[real],
         arithmetic=arithmetic_size(scratch, source.name, target),
         state=states * BYTES[real],

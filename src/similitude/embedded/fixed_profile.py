@@ -25,13 +25,17 @@ from similitude.estimators.filter_fields import Layout
 from similitude.estimators.fixed_ranges import (
     DERIVED,
     Names,
+    as_stated,
     band_derived,
     band_ranges,
     paper_derived,
     paper_ranges,
+    scalar_ranges,
 )
 from similitude.estimators.ladder_design import LIMIT_SD, ROOM, SLOW_PI3
+from similitude.estimators.paper_design import bessel_biquads
 from similitude.estimators.paper_sums import paper_sums
+from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.program.c import print_c
 from similitude.program.fixed.bounds import Ranges
 from similitude.program.fixed.c import print_fixed_c
@@ -42,7 +46,7 @@ from similitude.program.python import print_python
 from similitude.vehicle_file import read_vehicle
 from similitude.vehicle_prior import vehicle_prior
 
-FIXED = ("paper", "band")
+FIXED = ("paper", "band", "scalar_population")
 READ = 'docs/embedded.md, "Fixed point"'
 
 
@@ -92,9 +96,10 @@ def fixed_profile(
     else:
         told, numbers = _cars(estimator, find_source(system, estimator), vehicle, sample_time)
     named = DERIVE[estimator](program, told, names)
-    k = round(-math.log2(1 - named["forgetting"]))
-    kept = (named["forgetting"], "-", f"1 - 2^-{k}, nearest to the {told['forgetting']:.9g} stated")
-    numbers = replace(numbers, assumed={**numbers.assumed, "forgetting": kept})
+    if "forgetting" in named:
+        k = round(-math.log2(1 - named["forgetting"]))
+        kept = (named["forgetting"], "-", f"1 - 2^-{k}, nearest to the {told['forgetting']:.9g} stated")
+        numbers = replace(numbers, assumed={**numbers.assumed, "forgetting": kept})
     return made_profile(program, plain, named, RANGES[estimator](program, named, names), numbers)
 
 
@@ -112,13 +117,14 @@ def made_profile(
 
 def _program(estimator: str, reduction: Any) -> Program:
     """The step that is lowered: of the ladder the one that reals have, of the paper the one in sums."""
-    made = {"paper": paper_sums, "band": band_regression}[estimator](reduction)
+    made = MAKE[estimator](reduction)
     return made if made.name.endswith("_fixed") else replace(made, name=f"{made.name}_fixed")
 
 
-DERIVE = {"paper": paper_derived, "band": band_derived}
-RANGES = {"paper": paper_ranges, "band": band_ranges}
-OPEN = {"paper": DERIVED, "band": ()}  # numbers that follow from the others
+MAKE = {"paper": paper_sums, "band": band_regression, "scalar_population": scalar_population_filter}
+DERIVE = {"paper": paper_derived, "band": band_derived, "scalar_population": as_stated}
+RANGES = {"paper": paper_ranges, "band": band_ranges, "scalar_population": scalar_ranges}
+OPEN = {"paper": DERIVED, "band": (), "scalar_population": ()}  # numbers that follow from the others
 
 
 def _users(
@@ -154,10 +160,15 @@ def _cars(
     if estimator == "paper":
         for name in PAPER_ALONE:
             del named[name]
+        for k, row in enumerate(bessel_biquads(named["sample_time"]).tolist(), start=1):
+            named |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
         named |= {"K_start": K, "K_low": low, "K_limit": K_ROOM * high}
     return named, replace(numbers, assumed={**numbers.assumed, **assumed})
 
 
-PAPER_ALONE = ("pi3_start", "P_start", "pi3_low", "pi3_limit", "P_low", "P_high")
+PAPER_ALONE = (  # of the profile in reals
+    *("pi3_start", "normal_start", "normal_least", "K_low", "K_limit"),
+    *(f"poles_{k}_{i}" for k in (1, 2) for i in (0, 1)),
+)
 K_ROOM = 8.0  # times the greatest K of the population: what a biased regression may read
 LATERAL = 1.5 * 9.80665  # m/s^2: no car on tyres corners harder

@@ -18,7 +18,7 @@ from similitude.embedded.vectors import TYPES
 from similitude.errors import UsageError
 from similitude.program.library import Library
 
-DIFFERENCES = {"paper": 2, "band": 1}  # that the regression takes of what the sections pass on
+DIFFERENCES = {"paper": 0, "band": 1}  # of what the filter hands on; those of `paper` are among its sections
 SAMPLES = 4000  # the second half is judged: the sections have settled long before
 SWING = 0.05  # of the greatest believable output: a hard steer
 ADVISED, REFUSED = 0.1, 1.0  # rounding against the sensor's noise, both behind the sections
@@ -46,7 +46,10 @@ class Guard:
 
 
 def sections_of(library: Library, config: NDArray) -> NDArray:
-    """The biquads of a configuration, (sections, 5): b0, b1, b2, a1, a2."""
+    """The sections of a configuration: (k, 5) b0, b1, b2, a1, a2, or (k, 2) 1 + a1 + a2, a2."""
+    names = [row[0] for row in library.layout.CONFIG if row[0].startswith("poles_")]
+    if names:
+        return np.array([config[library.index("config", name) :][:2] for name in names])
     names = [row[0] for row in library.layout.CONFIG if row[0].startswith("biquad_") and row[3] == 5]
     rows = [config[library.index("config", name) :][:5] for name in names]
     return np.array(rows).reshape(-1, 5)
@@ -72,7 +75,7 @@ def check_sections(
     if not sections.size or estimator not in DIFFERENCES:
         return None
     kind = TYPES[real]
-    below = [[1.0, *row[3:].astype(kind).astype(float)] for row in sections]
+    below = [_denominator(row.astype(kind).astype(float)) for row in sections]
     radius = max(float(np.abs(np.roots(row)).max()) for row in below)
     found = Guard(radius, _rounding(library, config, kind, DIFFERENCES[estimator], sample_time), real)
     if radius >= 1 or found.rounding > REFUSED:
@@ -86,16 +89,21 @@ def check_sections(
     return found
 
 
+def _denominator(row: NDArray) -> tuple[float, float, float]:
+    return (1.0, row[0] - 1.0 - row[1], row[1]) if len(row) == 2 else (1.0, row[3], row[4])
+
+
 def _rounding(library: Library, config: NDArray, kind: type, differences: int, sample_time: float) -> float:
     sections = sections_of(library, config)
     noise = float(np.sqrt(config[library.index("config", "noise_variance")]))
     swing = SWING * float(config[library.index("config", "output_limit")])
     wave = swing * np.sin(2 * np.pi * np.arange(SAMPLES) * sample_time)
-    exact = np.diff(_cascade(sections, wave, np.float64), differences)
-    rounded = np.diff(_cascade(sections, wave, kind).astype(float), differences)
+    passed = _bends if sections.shape[1] == 2 else _cascade
+    exact = np.diff(passed(sections, wave, np.float64), differences)
+    rounded = np.diff(passed(sections, wave, kind).astype(float), differences)
     impulse = np.zeros(SAMPLES)
-    impulse[differences] = 1.0
-    heard = noise * float(np.linalg.norm(np.diff(_cascade(sections, impulse, np.float64), differences)))
+    impulse[max(differences, 1)] = 1.0
+    heard = noise * float(np.linalg.norm(np.diff(passed(sections, impulse, np.float64), differences)))
     return float(np.sqrt(np.mean((rounded - exact)[SAMPLES // 2 :] ** 2))) / heard
 
 
@@ -112,3 +120,17 @@ def _cascade(sections: NDArray, values: NDArray, kind: type) -> NDArray:
             passed[k] = y
         values = passed
     return values
+
+
+def _bends(sections: NDArray, values: NDArray, kind: type) -> NDArray:
+    """Second difference behind high-pass sections as `high_pass_section` has it, from the first value."""
+    taken = values.astype(kind)
+    bend = np.diff(np.diff(taken, prepend=taken[:1]), prepend=kind(0.0))
+    for c, a2 in sections.astype(kind):
+        held = change = kind(0.0)
+        passed = np.empty(len(values), kind)
+        for k, x in enumerate(bend):
+            now = x + change * a2 - held * c
+            held, passed[k], change = held + now, now - change, now
+        bend = passed
+    return bend

@@ -100,7 +100,7 @@ _SOURCE = """\
 #define SIMILITUDE_API
 #define SIMILITUDE_INLINE static inline
 #define R(x) (({name}_real)(x))
-
+{magnitude}
 {bodies}
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
                                const {name}_sample *sample, {name}_output *output)
@@ -176,6 +176,15 @@ int {name}_restore(const {name}_config *config, {name}_state *state, const unsig
     }}
     return (differ == 0u) ? (int){upper}_OK : (int){upper}_RESTARTED;
 }}
+"""
+
+
+_MAGNITUDE = """\
+#if defined(__GNUC__)
+#define MAGNITUDE(x) {builtin}(x) /* a sign bit cleared, no call */
+#else
+#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#endif
 """
 
 
@@ -263,8 +272,15 @@ def print_sources(
         "names": ", ".join(status),
         "declarations": parts.declarations,
         "bodies": parts.bodies,
+        "magnitude": _magnitude(parts.bodies, real),
         "except_fed": FED if name.endswith("_monitor") else "",
         "contract_off": CONTRACT_OFF,
         "version_word": int(hashlib.sha256((real + parts.declarations).encode()).hexdigest()[:8], 16),
     }
     return Sources(_HEADER.format(**words), (_SOURCE + SAVING).format(**words))
+
+
+def _magnitude(bodies: str, real: str) -> str:
+    if "MAGNITUDE(" not in bodies:
+        return ""
+    return _MAGNITUDE.format(builtin="__builtin_fabsf" if real == "float" else "__builtin_fabs")

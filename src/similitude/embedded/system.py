@@ -18,7 +18,16 @@ from similitude.errors import ModelError, SimilitudeError, UsageError
 from similitude.program.library import GENERATED, Library
 
 SHIPPED = {
-    "bicycle": ("population", "small_population", "monitor", "paper", "band", "output_error", "robust"),
+    "bicycle": (
+        "population",
+        "small_population",
+        "scalar_population",
+        "monitor",
+        "paper",
+        "band",
+        "output_error",
+        "robust",
+    ),
     "saturating_bicycle": ("population",),
     "bicycle_with_accelerometer": ("population",),
 }
@@ -26,6 +35,7 @@ ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {
     "population": ("population_filter", "population_filter"),
     "small_population": ("small_population", "small_population_filter"),
+    "scalar_population": ("scalar_population", "scalar_population_filter"),
     "monitor": ("monitor", "monitor"),
     "paper": ("paper", "paper_regression"),
     "band": ("band", "band_regression"),

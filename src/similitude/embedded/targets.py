@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from similitude.errors import UsageError
 
-LEVEL = "-O2"
+LEVEL = "-Os"
 CONTRACT_OFF = "SIMILITUDE_CONTRACT_OFF"  # the build says that it forbids fused multiply-add
 LANGUAGE = ("-std=c99", LEVEL, "-ffp-contract=off", f"-D{CONTRACT_OFF}")
 SECTIONS = ("-ffreestanding", "-ffunction-sections", "-fdata-sections")

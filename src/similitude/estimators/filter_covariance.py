@@ -12,6 +12,7 @@ import sympy as sp
 
 from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
@@ -38,7 +39,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         *(Assign(f"keep_{n}", sp.Max(0, 1 - dt * S(f"{n}_rate"))) for n in layout.wandering),
         Assign("w_nominal", _disturbance_variance(layout), "nominal variance of the disturbance"),
         Assign("move", sp.Integer(0)),
-        Assign("diffusion", S("drift")),
+        Assign("diffusion", quiet_drift(), "a jump that could not have shown may have come"),
         When(
             S("excited") < sp.Rational(1, 2),
             tuple(_pull(layout)),
@@ -238,13 +239,10 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        Assign(
-            "surprise",
-            S("surprise") + share("surprise_rate") * (sp.Min(S("nis"), 9) - S("surprise")),
-            "recent mean of the normalised innovation squared",
-        ),
+        surprise(_linear(layout)),
         Assign("learn", S("excited") * S("inv_spread")),
-        *_jump(),
+        *doubt(P[t, t], _linear(layout)),
+        *jump(),
         Assign(
             "learn_slow",
             sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
@@ -291,19 +289,11 @@ def _warm(layout: Layout) -> list[Statement]:
     ]
 
 
-def _jump() -> list[Assign]:
-    """Surprise beyond its limit, where it also stands out from what this vehicle usually does."""
-    above = S("surprise") - 1
-    stands_out = S("above") * S("above") > S("jump_ratio") * S("restlessness")
-    beyond = S("surprise") - S("surprise_limit")
-    return [
-        Assign("above", above),
-        Assign(
-            "restlessness",
-            S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
-        ),
-        Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
-    ]
+def _linear(layout: Layout) -> sp.Basic:
+    """Whether the model is in its linear range; beyond it an innovation tells of the tyre law."""
+    if layout.reduction.groups.model.validity is None:
+        return sp.true
+    return S("validity") < S("validity_limit") ** 2
 
 
 def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
@@ -313,6 +303,7 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
     for i, gain in gains.items():
         name = layout.coordinates[i]
         if name == layout.target:
+            lines.append(moved_score(gain * nu))
             lines.append(Assign("move", S("move") + gain * nu))
         elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
@@ -350,11 +341,6 @@ def keep_within(name: str) -> list[Assign]:
         Assign(name, sp.Max(S(name), S(f"{name}_low"))),
         Assign(name, sp.Min(S(name), S(f"{name}_high"))),
     ]
-
-
-def share(rate: str) -> sp.Expr:
-    """Weight of the newest value in an average of the given rate."""
-    return sp.Min(1, dt * S(rate))
 
 
 def _adapt(layout: Layout) -> list[Statement]:

@@ -93,6 +93,7 @@ def sample_ranges(numbers: Mapping[str, float], speed: str) -> dict[str, Span]:
         "last_measured": (-o, o),
         f"last_{speed}": (numbers[f"{speed}_least"], s),
         "fresh": (0.0, numbers["settle_samples"] + 1),
+        "started": (0.0, 1.0),
     }
 
 
@@ -138,8 +139,7 @@ def paper_derived(program: Program, numbers: Mapping[str, float], names: Names) 
     """
     forgetting, k = nearest_forgetting(numbers["forgetting"])
     psi = regressor_limit(program, numbers, names)
-    drive = psi * _slowest(program, numbers, names)["star"][1]
-    derived = {"psi_limit": psi, "updates_most": 2.0**k, "normal_start": NO_WEIGHT * drive**2}
+    derived = {"psi_limit": psi, "updates_most": 2.0**k, "normal_start": NO_WEIGHT * psi**2}
     return {**numbers, **derived, "forgetting": forgetting}
 
 
@@ -158,10 +158,10 @@ def paper_ranges(program: Program, numbers: Mapping[str, float], names: Names) -
         "updates": (0.0, updates),
         "span": (1.0, updates),
         "pace": (1 / updates, 1.0),
-        "scatter": (0.0, numbers["variance_limit"]),
-        "innovation_variance": (0.0, numbers["output_jump"] ** 2),
+        **dict.fromkeys(("scatter", "log_variance"), (0.0, numbers["variance_limit"])),
+        "raw_spread": (0.0, numbers["output_jump"] ** 2),
     }
-    wide = frozenset({"normal", "cross", "mean_square", "rest_square", "spread"})
+    wide = frozenset({"normal", "cross", "mean_square", "rest_square"})
     return Ranges(stated, wide, frozenset({"fresh", "updates", "span"}))
 
 
@@ -180,6 +180,7 @@ def band_derived(program: Program, numbers: Mapping[str, float], names: Names) -
 def band_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
     """Ranges of ``band``: a block holds so many of the greatest squares, the scatter so many blocks."""
     target, limit = names.target, numbers["variance_limit"]
+    heard = 2 * (numbers["noise_zero"] - numbers["noise_one"])  # of white noise, in a filtered difference
     edge = K_EDGE * numbers[f"{target}_high"]
     stated = {
         **sample_ranges(numbers, names.speed),
@@ -189,7 +190,7 @@ def band_ranges(program: Program, numbers: Mapping[str, float], names: Names) ->
         "aged": (0.0, limit),
         "blocks": (-1.0, numbers["blocks_most"]),
         "block_age": (0.0, numbers["block"] + numbers["dt_high"]),
-        "spread": (0.0, numbers["output_jump"] ** 2),
+        "spread": (0.0, heard * numbers["output_jump"] ** 2),
         "innovation_variance": (0.0, numbers["output_jump"] ** 2),
         "information": (0.0, INFORMATION),
         "told": (0.0, TOLD),
@@ -220,3 +221,31 @@ def _blocks(program: Program, numbers: Mapping[str, float], stated: Mapping[str,
         "scatter_sum": (0.0, kept * score**2),
         "scatter_weight": (0.0, kept * weight),
     }
+
+
+SCALAR_WIDE = frozenset({"mean_square", "excitation", "weighed"})
+
+
+def as_stated(program: Program, numbers: Mapping[str, float], names: Names) -> dict[str, float]:
+    """Numbers of an estimator that needs no others in fixed point."""
+    return dict(numbers)
+
+
+def scalar_ranges(program: Program, numbers: Mapping[str, float], names: Names) -> Ranges:
+    """Ranges of ``scalar_population``: a model may turn twice as fast as a car is believed to."""
+    turn, jump = K_EDGE * numbers["output_limit"], numbers["output_jump"]
+    variance = numbers["start_variance"]
+    gain = MARGIN * math.sqrt(variance / numbers["noise_variance"]) / 2  # of p s/(s^2 p + R) over all s
+    stated = {
+        **sample_ranges(numbers, names.speed),
+        names.target: (0.0, K_EDGE * numbers[f"{names.target}_high"]),
+        "p": (0.0, variance),
+        "gain": (-gain, gain),
+        "innovation_variance": (0.0, jump**2),
+        **dict.fromkeys(("y", "y_slope"), (-turn, turn)),
+    }
+    constants, _ = settled(program, numbers)
+    found = walked(program, {n: float(v) for n, v in constants.items()}, Ranges(stated))
+    rate = turn * max(map(abs, found["a"]))
+    stated |= dict.fromkeys(("w", "w_slope"), (-rate, rate))
+    return Ranges(stated, SCALAR_WIDE, frozenset({"fresh"}), full=True)

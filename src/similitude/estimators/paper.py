@@ -4,18 +4,17 @@ Kept exact at constant speed; it is the reference, not the recommendation: y and
 noise of the yaw rate, so a real gyro biases it (``paper_design.noise_bias``).
 
 Where the paper is silent:
-speed changes    theta is the group at the last usable speed: it is scaled by (U_old/U)^2 and P by
-                 the square of that, which is the regression of K = pi3 U^2 with the residual in
-                 dimensionless yaw rate. At constant U the factor is exactly 1. The filters work on
-                 physical signals, so the history is read in the scales of now (dU/dt left out).
+speed changes    the constant is that of the reduction, K = pi3 U^2, and the residual is one of the raw
+                 output, so every sample weighs alike at any speed. The filters work on physical signals,
+                 so the history is read in the scales of now (dU/dt left out).
 missing values   the filters are fed the last usable value; nothing is learnt until
                  ``settle_samples`` usable samples have followed, the first of a log included.
 a spike          counts like a missing value when the sample before was usable and the change is
                  beyond output_jump; a step that stays is believed from its second sample on.
 uneven steps     a step outside dt_low..dt_high counts like a missing value.
-theta <= 0       theta itself is left alone; pi3_low is reported, with status at_limit.
-overflow         P stays within P_low..P_high (a constant turn would double it every 14,000
-                 updates without end), |theta| within pi3_limit.
+K <= 0           the regression itself is left alone; the least K is reported, with status at_limit.
+overflow         normal_least is added to the sum of squares (in a constant turn it would halve every 14,000
+                 updates without end), |K| within its limit.
 
 Invariant: whatever the sample holds, every state stays finite and the next usable samples count.
 """
@@ -74,11 +73,13 @@ def paper_regression(
         output=pf.output_fields(r),
         variables=(
             Field("status", "-", "status code"),
-            Field("u_now", layout.input.unit, "input used now"),
+            Field("input_step", layout.input.unit, "change of the input used now"),
+            Field("output_step", layout.output.unit, "change of the measurement used now"),
             Field("y_now", layout.output.unit, "measurement used now"),
+            Field("waiting", "-", "usable samples until the filters have settled"),
+            Field("gained", f"({layout.output.unit})^2", "square of what the constant explains now"),
             Field("scale_now", layout.signals[0].unit, "scale used now"),
-            Field("usable", "-", "1 where input, scale and measurement can be used"),
-            Field("live", "-", "1 where the scale is fast enough to learn at"),
+            Field("inverse", f"1/({layout.signals[0].unit})", "reciprocal of the last scale"),
         ),
         init=tuple(before_first(r)),
         step=tuple(one_sample(r)),

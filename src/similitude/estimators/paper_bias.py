@@ -18,7 +18,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from similitude.estimators.paper_design import dimensionless_step, slopes
+from similitude.estimators.paper_design import (
+    dimensionless_step,
+    high_pass_biquad,
+    section_gain,
+    slopes,
+)
 from similitude.program.library import Library
 
 WHITE = (1.0, 0.0, 0.0)  # autocorrelation of unfiltered noise
@@ -111,7 +116,8 @@ def predicted_bias(
 ) -> NoiseBias:
     """The bias at the end of a run, from the regressor the estimator itself has seen.
 
-    Its P holds the weighted sum of phi^2 and its weight the weights, so mean phi^2 = 1/(P weight).
+    It keeps the weighted sum of phi^2 and of the weights, in physical units per K and without the filter's
+    gain; mean phi^2 of the dimensionless, filtered signals follows from their ratio.
 
     Parameters
     ----------
@@ -123,16 +129,18 @@ def predicted_bias(
     def value(struct: str, name: str) -> float:
         return float((config if struct == "config" else state)[library.index(struct, name)])
 
-    at = library.index("config", "biquad_1")
+    poles = [config[library.index("config", f"poles_{k}") :][:2] for k in (1, 2)]
+    sections = np.array([high_pass_biquad(*pair) for pair in poles])
     L, U = value("config", "L"), value("state", "last_U")
     T = dimensionless_step(value("config", "sample_time"), U, L)
     groups = {name: value("config", name) for name in ("pi1", "pi4_slope", "pi5")}
-    updates, P = value("state", "weight"), value("state", "P")
+    updates = value("state", "weight")
+    per_pi3 = section_gain(sections) * U * L  # dimensionless filtered output of a unit of pi3 per phi
     return noise_bias(
         pi3=pi3,
         m2=slopes(T, **groups)[1],
         noise_std=noise_std,
-        mean_square=1.0 / (P * updates) if updates > 0 else 0.0,
-        rho=autocorrelation(config[at : at + 10]),
+        mean_square=per_pi3**2 * value("state", "normal") / updates if updates > 0 else 0.0,
+        rho=autocorrelation(sections),
         star=L / U,
     )

@@ -22,15 +22,14 @@ GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
 
+P_START, P_MOST = 1e9, 1e14  # of the textbook recursion, in dimensionless filtered outputs
+
 DESIGN = {
     "forgetting": 0.99995,  # paper, section 6
     "dead_zone": 0.1,  # rad/s, same place
-    "pi3_start": 0.2,  # the paper is silent on this and the next
-    "P_start": 1e9,
-    "pi3_low": 1e-3,  # reported for a regression that says zero or less
-    "pi3_limit": 1e6,
-    "P_low": 1e-12,
-    "P_high": 1e12,
+    "pi3_start": 0.2,  # the paper is silent on this
+    "K_low": 1e-3,  # m^2/s^2, reported for a regression that says zero or less
+    "K_limit": 1e6,  # m^2/s^2
     "variance_limit": 1.0,  # of ln K: a factor e either way is nothing known
     "U_least": 0.5,  # m/s
     "input_limit": 1.3,  # rad
@@ -58,6 +57,28 @@ def bessel_biquads(sample_time: float, *, corner: float = CORNER) -> NDArray[np.
     return bessel_sections("high", corner, sample_time)
 
 
+def section_poles(biquad: ArrayLike) -> tuple[float, float]:
+    """The two numbers of a high-pass section that its zeros at rest leave: 1 + a1 + a2, and a2 [-].
+
+    Parameters
+    ----------
+    biquad : (5,) b0, b1, b2, a1, a2 with b1 = -2 b0, b2 = b0.
+    """
+    _, _, _, a1, a2 = (float(x) for x in np.asarray(biquad, dtype=float))
+    return math.fsum((1.0, a1, a2)), a2
+
+
+def high_pass_biquad(c: float, a2: float) -> tuple[float, float, float, float, float]:
+    """The section of those two numbers that passes the fastest swing unchanged: b0, b1, b2, a1, a2 [-]."""
+    b0 = (2.0 + 2.0 * a2 - c) / 4.0
+    return b0, -2.0 * b0, b0, c - 1.0 - a2, a2
+
+
+def section_gain(biquads: ArrayLike) -> float:
+    """The weight of the newest sample in what the sections pass on: the product of their b0 [-]."""
+    return float(np.prod(np.asarray(biquads, dtype=float).reshape(-1, 5)[:, 0]))
+
+
 def paper_config(
     library: Library,
     *,
@@ -67,6 +88,8 @@ def paper_config(
     pi1: float,
     pi4_slope: float,
     pi5: float,
+    biquads: ArrayLike | None = None,
+    P_start: float = P_START,
     **changes: float,
 ) -> NDArray[np.float64]:
     """The flat configuration of ``bicycle_paper``.
@@ -78,18 +101,24 @@ def paper_config(
     L : wheelbase [m].
     noise_std : white noise of the yaw rate a sample [rad/s], > 0; bounds the reported variance.
     pi1, pi4_slope, pi5 : frozen groups [-]; the paper's averages are ``PAPER_GROUPS``.
+    biquads : (2, 5) sections of another high-pass with its zeros at rest; the paper's where left out.
+    P_start : covariance of pi3 per residual variance before the first update, in the paper's recursion.
     changes : design constants to replace, by name.
 
     Raises
     ------
     ProgramError    a value is missing, not finite or not a field.
     """
-    first, second = bessel_biquads(sample_time)
+    first, second = sections = bessel_biquads(sample_time) if biquads is None else np.asarray(biquads)
     values: dict = {**DESIGN, "L": L, "pi1": pi1, "pi4_slope": pi4_slope, "pi5": pi5}
+    gain = section_gain(sections)
+    fastest = L * changes.get("signal_limit", DESIGN["signal_limit"])
     values |= {
         "sample_time": sample_time,
-        "biquad_1": first,
-        "biquad_2": second,
+        "poles_1": section_poles(first),
+        "poles_2": section_poles(second),
+        "normal_start": 1.0 / (P_start * gain**2),
+        "normal_least": (1.0 - DESIGN["forgetting"]) / (P_MOST * (gain * fastest) ** 2),
         "settle_samples": max(3, math.ceil(SETTLING / sample_time)),
         "output_jump": JUMP[0] + JUMP[1] * noise_std + JUMP[2] * sample_time,
         "noise_variance": noise_std**2,

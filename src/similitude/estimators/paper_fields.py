@@ -6,33 +6,30 @@ Invariant: sample and output begin as those of the population filter do, so one 
 from __future__ import annotations
 
 from similitude.estimators import filter_fields as ff
-from similitude.estimators.biquad_section import BIQUAD
+from similitude.estimators.high_pass_section import poles_fields, section_fields
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Field
 
 
 def config_fields(r: Regression) -> tuple[Field, ...]:
     """What the regression is told once: scales, frozen groups, filter and the paper's constants."""
-    i, o, signal = r.layout.input, r.layout.output, r.layout.signals[0]
+    i, o, signal, target = r.layout.input, r.layout.output, r.layout.signals[0], r.reduction.unknowns[0]
     validity = r.reduction.groups.model.validity
     unit = validity[1].unit if validity else "-"
-    numbers = "b0, b1, b2, a1, a2 of the high-pass"
     return (
         *(Field(q.name, q.unit, q.meaning) for q in r.layout.scales),
         *(Field(n, "-", f"frozen {n.replace('_slope', f'/{r.unknown}')}") for n in r.known),
         Field("sample_time", "s", "sample time the filters are designed for"),
-        Field("biquad_1", "-", f"first section: {numbers}", len(BIQUAD)),
-        Field("biquad_2", "-", f"second section: {numbers}", len(BIQUAD)),
+        *poles_fields(),
         Field(f"{r.unknown}_start", "-", f"{r.unknown} before the first update"),
-        Field("P_start", "-", "P before the first update"),
+        Field("normal_start", "-", "sum of squared regressors before the first update, dimensionless"),
+        Field("normal_least", f"({o.unit})^2/({target.unit})^2", "added at each update, > 0"),
         Field("forgetting", "-", "share of the past kept at each update"),
         Field("dead_zone", o.unit, f"|{o.name}| that must be exceeded for an update"),
         Field("settle_samples", "-", "whole samples in a row before an update, 3 or more"),
         Field("noise_variance", f"({o.unit})^2", f"least variance of {o.name} a sample, > 0"),
-        Field(f"{r.unknown}_low", "-", f"least {r.unknown} that is reported, > 0"),
-        Field(f"{r.unknown}_limit", "-", f"greatest magnitude of {r.unknown}"),
-        Field("P_low", "-", "least P, > 0"),
-        Field("P_high", "-", "greatest P"),
+        Field(f"{target.name}_low", target.unit, f"least {target.name} that is reported, > 0"),
+        Field(f"{target.name}_limit", target.unit, f"greatest magnitude of {target.name}"),
         Field("variance_limit", "-", "greatest variance that is reported"),
         Field("dt_low", "s", "shortest step that counts as one sample"),
         Field("dt_high", "s", "longest step that counts as one sample"),
@@ -47,31 +44,19 @@ def config_fields(r: Regression) -> tuple[Field, ...]:
 
 def state_fields(r: Regression) -> tuple[Field, ...]:
     """What the regression remembers between samples."""
-    i, o, signal = r.layout.input, r.layout.output, r.layout.signals[0]
+    i, o, signal, target = r.layout.input, r.layout.output, r.layout.signals[0], r.reduction.unknowns[0]
     return (
-        Field("m1_rate", "-", "m1/T"),
-        Field("m2_rate", "-", "m2/T"),
-        Field("m1", f"1/({i.unit})", "m1 per physical input at the last usable scale"),
-        Field("m2", f"1/({o.unit})", "m2 per physical output, the same"),
-        Field("unit", o.unit, "output per dimensionless output, the same"),
-        Field("star", f"1/({o.unit})", "its reciprocal"),
-        Field("inv_direct", "-", "1/weight of the newest output in the filter"),
-        Field("inv_forgetting", "-", "1/forgetting factor"),
-        Field("least_spread", f"({o.unit})^2", "least variance of the filtered second difference"),
-        Field("theta", "-", f"{r.unknown} at the last usable scale"),
-        Field("P", "-", "covariance of theta per residual variance"),
-        Field("mean_square", "-", "mean square of the residual"),
+        Field("from_input", "-", "regressor per change of input, but for what the scale changes"),
+        Field("from_output", "-", "the same per change of output"),
+        Field("theta", target.unit, f"{target.name} of the regression"),
+        Field("normal", f"({o.unit})^2/({target.unit})^2", "sum of squared regressors, forgetting"),
+        Field("mean_square", f"({o.unit})^2", "mean square of the residual"),
         Field("weight", "-", "updates the mean square rests on"),
-        Field("information", "-", f"information gained about ln {r.layout.target}"),
-        Field("input_memory", i.unit, f"memory of both sections for {i.name}", 4),
-        Field("output_memory", o.unit, f"memory of both sections for {o.name}", 4),
-        Field("input_before", i.unit, f"filtered {i.name}, one and two samples ago", 2),
-        Field("output_before", o.unit, f"filtered {o.name}, one and two samples ago", 2),
-        Field("last_input", i.unit, "last usable input"),
-        Field("last_measured", o.unit, "last usable measurement"),
+        Field("information", "-", f"information gained about ln {target.name}"),
+        *section_fields("input", i.unit),
+        *section_fields("output", o.unit),
         Field(f"last_{signal.name}", signal.unit, f"last {signal.meaning} fast enough to learn"),
-        Field("fresh", "-", "usable samples in a row"),
-        Field("started", "-", "0 before the first usable scale, 1 after"),
+        Field("wait", "-", "usable samples until the filters have settled"),
     )
 
 

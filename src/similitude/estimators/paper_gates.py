@@ -1,45 +1,80 @@
 """The paper's regression before it computes: what a sample can be used for, and what is held.
 
-Invariant: after the gates ``u_now``, ``y_now`` and the last scale are believable numbers.
+``waiting`` counts down to the sample on which the filters have settled, so that the usual sample asks
+one question of it; beyond ``settle_samples`` it says that the newest sample was not usable.
+
+Invariant: after the gates the changes and the last scale are differences and values of believable numbers.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from similitude.estimators.held_sample import HALF, S, at_now
-from similitude.estimators.held_sample import gates as sample_gates
+from similitude.estimators.held_sample import HALF, S, set_status
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
+from similitude.status import STATUS
+
+AGAIN = Assign("waiting", S("settle_samples") + 1)
+WAS_USABLE = S("waiting") <= S("settle_samples")
+NOT_YET = S("status") < STATUS["not_excited"] + HALF  # nothing was said of this sample
+
+
+def time_gate(body: tuple[Statement, ...], otherwise: tuple[Statement, ...]) -> list[Statement]:
+    """``body`` where time advances; a step of another length counts like a missing sample before."""
+    dt = S("dt")
+    uneven = When(
+        sp.And(dt > 0, dt < 1e6),
+        (When(WAS_USABLE, (set_status("restarted"),)), AGAIN),
+        (set_status("bad_sample"),),
+        "time must advance",
+    )
+    even = sp.And(dt > S("dt_low"), dt < S("dt_high"))
+    return [
+        Assign("waiting", S("wait")),
+        set_status("not_excited"),
+        When(sp.Not(even), (uneven,), (), "the sample before is elsewhere"),
+        When(S("status") < STATUS["bad_sample"] - HALF, body, otherwise),
+    ]
 
 
 def gates(r: Regression) -> list[Statement]:
-    """All that precedes the first use of the sample; a later status replaces an earlier one."""
-    old, now = f"last_{r.speed}", S("scale_now")
-    per = r.per_target
-    ratio = sp.simplify(per.xreplace({S(r.speed): now}) / per.xreplace({S(r.speed): S(old)}))
-    rescale = (
-        Assign("ratio", ratio, f"of {r.unknown} for the same {r.layout.target}"),
-        Assign("theta", S("theta") * S("ratio")),
-        Assign("P", S("P") * S("ratio") ** 2),
+    """All that precedes the filters; a later status replaces an earlier one."""
+    scale, change, jump = S(r.speed), S("measured") - S("last_measured"), S("output_jump")
+    inputs = sp.And(_within(S("input"), "input_limit"), _within(scale, "signal_limit"))
+    steady = sp.Or(sp.Abs(change) < jump, sp.Not(WAS_USABLE))
+    output = sp.And(_within(S("measured"), "output_limit"), steady)
+    use_inputs = (
+        Assign("input_step", S("input") - S("last_input")),
+        Assign("last_input", S("input")),
+        Assign("scale_now", scale),
     )
-    another = (
-        When(S("started") > HALF, rescale, (), "the same constant"),
-        Assign(old, now),
-        *at_scale_of_now(r),
+    use_output = (Assign("output_step", change), Assign("y_now", S("measured")))
+    last_scale = Assign("scale_now", S(f"last_{r.speed}"))
+    held = (
+        Assign("input_step", sp.Integer(0)),
+        Assign("output_step", sp.Integer(0)),
+        last_scale,
+        Assign("y_now", S("last_measured")),
+        When(inputs, use_inputs, (), "a missing input or scale is held"),
+        When(output, use_output, (), "so is an output"),
+        AGAIN,
+        set_status("no_measurement"),
     )
-    return sample_gates(r, another)
-
-
-def at_scale_of_now(r: Regression) -> list[Assign]:
-    """m1, m2 and units at the scale of now, kept until the scale changes."""
-    groups, layout = r.reduction.groups, r.layout
-    per_input = S("sample_time") / at_now(r, groups.time_scale * groups.scale[layout.input.name])
-    per_output = S("sample_time") / at_now(r, groups.time_scale) * S("star")
-    unit = at_now(r, groups.scale[layout.output.name])
+    counted = When(S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row")
+    slow = (
+        last_scale,
+        Assign("waiting", sp.Max(S("waiting"), 1)),
+        When(NOT_YET, (set_status("too_slow"),)),
+    )
     return [
-        Assign("unit", unit),
-        Assign("star", 1 / unit),
-        Assign("m1", S("m1_rate") * per_input, "eq 22, per physical input"),
-        Assign("m2", S("m2_rate") * per_output, "eq 22, per physical output"),
+        When(sp.And(inputs, output), (*use_inputs, *use_output, counted), held),
+        When(sp.Not(S("scale_now") > S(f"{r.speed}_least")), slow, (), "too slow to see the dynamics"),
+        Assign(f"last_{r.speed}", S("scale_now")),
+        Assign("last_measured", S("y_now")),
+        Assign("wait", S("waiting")),
     ]
+
+
+def _within(x: sp.Symbol, limit: str) -> sp.Basic:
+    return sp.Abs(x) < S(limit)

@@ -1,5 +1,15 @@
 """The statements of the paper's regression: filters, prediction, recursive least squares.
 
+    y = phi K + e       y    second difference of the filtered output (eq 24)
+                        phi  what a unit of K adds to it (eqs 25-26)
+
+in the output's own units, both without the filters' common gain, so the newest sample has weight one in y and
+the residual is the innovation of the raw output. Recursive least squares in the sum of squares,
+
+    normal <- forgetting normal + phi^2 + least,    K <- K + phi (y - phi K)/normal,
+
+is the textbook form with P = 1/normal, half as many operations; least keeps it off zero in a turn without end.
+
 Invariant: the history the regressor is read from moves on once a sample, after its last use.
 """
 
@@ -7,138 +17,161 @@ from __future__ import annotations
 
 import sympy as sp
 
-from similitude.estimators.biquad_section import section
-from similitude.estimators.held_sample import HALF, S, at_now, set_status
+from similitude.estimators.held_sample import HALF, S, set_status
+from similitude.estimators.high_pass_section import moved_on, sections
 from similitude.estimators.paper_fields import state_fields
-from similitude.estimators.paper_gates import at_scale_of_now, gates
+from similitude.estimators.paper_gates import WAS_USABLE, gates, time_gate
 from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 
-R0, R1, R2 = S("output_filtered"), S("output_before_0"), S("output_before_1")
-D1, D2 = S("input_before_0"), S("input_before_1")
+INVERSE = S("inverse")  # of the scale that is measured along
 
 
 def before_first(r: Regression) -> list[Statement]:
     """The statements of ``init``: all that follows from the configuration, the rest at rest."""
-    direct = S("biquad_1_0") * S("biquad_2_0")
+    per_input, per_output = (split.as_independent(S(r.speed))[0] for split in regressors(r))
+    last = f"last_{r.speed}"
     start = {
-        "m1_rate": r.numerator,
-        "m2_rate": r.denominator,
-        "theta": S(f"{r.unknown}_start"),
-        "P": S("P_start"),
-        "inv_direct": 1 / direct,
-        "inv_forgetting": 1 / S("forgetting"),
-        "least_spread": S("noise_variance") * direct**2,
-        f"last_{r.speed}": S(f"{r.speed}_least"),
+        "from_input": per_input,
+        "from_output": per_output,
+        last: S(f"{r.speed}_least"),
+        **{line.target: line.expression for line in _prior(r, S(last))},
+        "wait": S("settle_samples") + 1,
     }
     names = [s.name for f in state_fields(r) for s in f.symbols]
-    at_scale = {line.target for line in at_scale_of_now(r)}
-    plain = [Assign(name, sp.sympify(start.get(name, 0))) for name in names if name not in at_scale]
-    return [*plain, *at_scale_of_now(r)]
+    names = [last, *(n for n in names if n != last)]
+    return [Assign(name, sp.sympify(start.get(name, 0))) for name in names]
 
 
 def one_sample(r: Regression) -> list[Statement]:
     """The statements of ``step``."""
-    dt = S("dt")
-    return [
+    last = S(f"last_{r.speed}")
+    body = (
+        *gates(r),
+        Assign(INVERSE.name, 1 / S("scale_now")),
+        *_filter(),
+        *_predict(r),
+        *_learn(r),
+        *moved_on("input"),
+        *moved_on("output"),
+    )
+    nothing = (
         Assign("predicted", S("last_measured")),
         Assign("innovation", sp.Integer(0)),
-        When(
-            sp.And(dt > 0, dt < 1e6),
-            (*gates(r), *_predict(), *_filter(), *_learn(r), *_remember()),
-            (set_status("bad_sample"),),
-            "time must advance",
-        ),
-        *_outputs(r),
-    ]
+        Assign("gained", sp.Integer(0)),
+        Assign(INVERSE.name, 1 / last),
+    )
+    return [*time_gate(body, nothing), *_outputs(r)]
 
 
-def _predict() -> list[Statement]:
-    """The regressor and, from the past alone, the raw output whose filtered value it predicts."""
-    phi = S("m2") * (R2 - R1) + S("m1") * (D1 - D2)
-    filtered = 2 * R1 - R2 + S("phi") * S("theta") * S("unit")
-    rest = S("biquad_2_0") * S("output_memory_0") + S("output_memory_2")
+def regressors(r: Regression) -> tuple[sp.Expr, sp.Expr]:
+    """phi per change of filtered input and of filtered output, in the scales: eq 22 as one of K."""
+    groups, layout = r.reduction.groups, r.layout
+    into, out = groups.scale[layout.input.name], groups.scale[layout.output.name]
+    per_step = r.per_target * S("sample_time") / groups.time_scale
+    return (
+        sp.simplify(per_step * out / into) * r.numerator,
+        sp.simplify(per_step) * r.denominator,
+    )
+
+
+def _at_inverse(r: Regression, expression: sp.Expr) -> sp.Expr:
+    """What of an expression the measured scale changes, in its reciprocal."""
+    changing = expression.as_independent(S(r.speed))[1]
+    return sp.powsimp(changing.xreplace({S(r.speed): 1 / INVERSE}))
+
+
+def _prior(r: Regression, scale: sp.Symbol) -> list[Assign]:
+    """The start is one of the group, so of K at the speed of now, until the first update."""
+    unit = r.reduction.groups.scale[r.layout.output.name]
+    now = {S(r.speed): scale}
     return [
-        Assign("phi", phi, "regressor, eqs 25-26"),
-        Assign("filtered", filtered, "filtered output predicted"),
-        Assign("rest", rest, "filtered output if the newest were zero"),
-        Assign("predicted", (S("filtered") - S("rest")) * S("inv_direct")),
-        When(S("usable") > HALF, (Assign("innovation", S("y_now") - S("predicted")),)),
+        Assign("theta", S(f"{r.unknown}_start") / sp.sympify(r.per_target).xreplace(now)),
+        Assign("normal", S("normal_start") * sp.simplify(r.per_target * unit).xreplace(now) ** 2),
     ]
 
 
 def _filter() -> list[Statement]:
+    return [*sections(S("input_step"), "input"), *sections(S("output_step"), "output")]
+
+
+def _predict(r: Regression) -> list[Statement]:
+    """The regressor, what it says of the newest output, and by how much that is wrong."""
+    per_input, per_output = regressors(r)
+    phi = S("from_input") * _at_inverse(r, per_input) * S("input_2_change")
+    phi -= S("from_output") * _at_inverse(r, per_output) * S("output_2_change")
     return [
-        *section(S("u_now"), 1, "input", "input_half"),
-        *section(S("input_half"), 2, "input", "input_filtered"),
-        *section(S("y_now"), 1, "output", "output_half"),
-        *section(S("output_half"), 2, "output", "output_filtered"),
+        Assign("phi", phi, "regressor, eqs 25-26"),
+        Assign("expected", S("phi") * S("theta")),
+        Assign("y", S("output_2_now") - S("output_2_change"), "second difference, eq 24"),
+        Assign("residual", S("y") - S("expected")),
+        Assign("predicted", S("y_now") - S("residual"), "the newest output has weight one in y"),
     ]
 
 
 def _learn(r: Regression) -> list[Statement]:
     """Recursive least squares with forgetting where the raw output exceeds the dead zone."""
-    phi, theta, P, forgetting = (S(n) for n in ("phi", "theta", "P", "forgetting"))
-    y_now, dead, limit = S("y_now"), S("dead_zone"), S(f"{r.unknown}_limit")
-    beyond = sp.Or(y_now > dead, y_now < -dead)
-    used = sp.And(S("live") > HALF, S("fresh") > S("settle_samples"), beyond)
-    least = S("least_spread") * S("star") ** 2
+    phi, theta, normal, forgetting = (S(n) for n in ("phi", "theta", "normal", "forgetting"))
+    limit, moved = S(f"{r.layout.target}_limit"), S("moved")
+    used = sp.And(S("waiting") < HALF, sp.Abs(S("y_now")) > S("dead_zone"))
     step = (S("residual") ** 2 - S("mean_square")) / S("weight")
     body = (
-        Assign("residual", S("y") - phi * theta),
-        Assign("gain", P * phi / (forgetting + phi * P * phi)),
+        Assign("innovation", S("residual")),
+        Assign("gained", S("expected") ** 2),
+        Assign("normal", forgetting * normal + phi**2 + S("normal_least")),
+        Assign(moved.name, theta + S("residual") * phi / normal),
+        When(
+            sp.Abs(moved) < limit,
+            (Assign("theta", moved),),
+            (Assign("theta", sp.Piecewise((limit, moved > 0), (-limit, True))),),
+        ),
         Assign("weight", forgetting * S("weight") + 1),
         Assign("mean_square", S("mean_square") + step),
-        Assign("spread", sp.Max(S("mean_square"), least), "never below the sensor's share"),
-        Assign("information", S("information") + (phi * theta) ** 2 / S("spread")),
-        Assign("theta", theta + S("gain") * S("residual")),
-        Assign("theta", sp.Min(theta, limit)),
-        Assign("theta", sp.Max(theta, -limit)),
-        Assign("P", (1 - S("gain") * phi) * P * S("inv_forgetting")),
-        Assign("P", sp.Min(P, S("P_high"))),
-        Assign("P", sp.Max(P, S("P_low"))),
         *_verdict(r),
     )
-    return [
-        Assign("y", S("star") * (R0 - 2 * R1 + R2), "second difference, eq 24"),
-        When(used, body, (), "outside the dead zone, filters settled"),
-    ]
+    otherwise = (
+        Assign("gained", sp.Integer(0)),
+        Assign("innovation", sp.Piecewise((S("residual"), WAS_USABLE), (0, True))),
+        When(S("weight") < HALF, tuple(_prior(r, S("scale_now"))), (), "nothing was learnt yet"),
+    )
+    return [When(used, body, otherwise, "outside the dead zone, filters settled")]
 
 
 def _verdict(r: Regression) -> list[Statement]:
-    """Status of a sample that was used."""
+    """Status of a sample that was used, but for a constant at its least."""
     lines: list[Statement] = [set_status("ok")]
     validity = r.reduction.groups.model.validity
     if validity is not None:
-        square = at_now(r, validity[0]).xreplace({r.layout.output.symbol: S("y_now")}) ** 2
-        lines.append(When(square > S("validity_limit") ** 2, (set_status("outside_linear"),)))
-    low = S("theta") <= S(f"{r.unknown}_low")
-    return [*lines, When(low, (set_status("at_limit"),), (), "no stiffness is zero or less")]
-
-
-def _remember() -> list[Statement]:
-    return [
-        Assign(R2.name, R1),
-        Assign(R1.name, R0),
-        Assign(D2.name, D1),
-        Assign(D1.name, S("input_filtered")),
-        Assign("last_input", S("u_now")),
-        Assign("last_measured", S("y_now")),
-    ]
+        now = {S(r.speed): S("scale_now"), r.layout.output.symbol: S("y_now")}
+        value = sp.sympify(validity[0]).xreplace(now)
+        lines.append(When(sp.Abs(value) > S("validity_limit"), (set_status("outside_linear"),)))
+    return lines
 
 
 def _outputs(r: Regression) -> list[Statement]:
-    """The constant for the group; scatter of the residual as variance, without the noise's bias."""
-    pi, limit = S(r.unknown), S("variance_limit")
-    scatter = S("P") * S("innovation_variance") / (pi * S("raw")) ** 2
+    """The constant and its group; scatter of the residual as variance, without the noise's bias."""
+    estimate, limit, low = S("estimate"), S("variance_limit"), S(f"{r.layout.target}_low")
+    scatter = S("innovation_variance") / (S("normal") * estimate**2)
+    status = S("status")
+    learnt = sp.Or(status < HALF, sp.And(status > 1 + HALF, status < 2 + HALF))  # ok, outside_linear
+    at_least = (Assign("estimate", low), When(learnt, (set_status("at_limit"),)))
     return [
-        Assign(r.unknown, sp.Max(S("theta"), S(f"{r.unknown}_low"))),
-        Assign("estimate", pi / at_now(r, r.per_target)),
-        Assign("raw", S("unit") * S("inv_direct"), "raw output per dimensionless residual"),
-        Assign("innovation_variance", sp.Max(S("mean_square") * S("raw") ** 2, S("noise_variance"))),
+        When(S("theta") > low, (Assign("estimate", S("theta")),), at_least, "no stiffness is zero or less"),
+        Assign(r.unknown, estimate * _group_per_constant(r)),
+        Assign(
+            "innovation_variance",
+            sp.Max(S("mean_square"), S("noise_variance")),
+            "never below the sensor's share",
+        ),
+        Assign("information", S("information") + S("gained") / S("innovation_variance")),
+        Assign("information_gained", S("information")),
         Assign("variance", limit),
         When(
             S("weight") > HALF, (Assign("scatter", scatter), Assign("variance", sp.Min(S("scatter"), limit)))
         ),
-        Assign("information_gained", S("information")),
     ]
+
+
+def _group_per_constant(r: Regression) -> sp.Expr:
+    constant, _ = r.per_target.as_independent(S(r.speed))
+    return constant * _at_inverse(r, r.per_target)

@@ -1,11 +1,11 @@
 """The paper's regression as two sums, for whole numbers: K = cross/normal, forgotten by a shift.
 
-    normal <- (1 - 2^-k) normal + drive^2       drive = what a unit of K adds to the second difference
-    cross  <- (1 - 2^-k) cross + drive change   change = second difference of the filtered output
+    normal <- (1 - 2^-k) normal + psi^2       psi = what a unit of K adds to the second difference
+    cross  <- (1 - 2^-k) cross + psi change   change = second difference of the filtered output
 
-This is the recursive least squares of `paper`, P = 1/normal: P spans 24 decades, normal an integer's range.
-The unknown is K of the reduction, not the group: a change of speed then changes the regressor and no
-state. The mean square of the residual averages over the greatest power of two of updates made so far,
+This is the recursive least squares of `paper`, which moves K by psi times the residual over normal: the sums
+lose nothing to rounding from sample to sample, and biquads keep formats where differences would need all
+their digits. The mean square of the residual averages over the greatest power of two of updates made so far,
 at most 2^k, in place of their number, which saves a division.
 
 Filters, gates, dead zone and status are those of `paper`; ``information_gained`` is left out.
@@ -35,7 +35,7 @@ from similitude.status import STATUS
 
 R0, R1, R2 = S("output_filtered"), S("output_before_0"), S("output_before_1")
 D0, D1, D2 = S("input_filtered"), S("input_before_0"), S("input_before_1")
-LEFT_OUT = ("information_gained",)
+EDGE = sp.Rational(65535, 65536)  # of the greatest magnitude: at it
 
 
 def paper_sums(reduction: Reduction, *, unknown: str = "pi3", slopes: tuple[str, ...] = ("pi4",)) -> Program:
@@ -93,7 +93,7 @@ def _config(r: Regression) -> tuple[Field, ...]:
         Field(f"{target.name}_low", target.unit, f"least {target.name} that is reported, > 0"),
         Field(f"{target.name}_limit", target.unit, f"greatest magnitude of {target.name}"),
         Field("psi_limit", "-", "greatest believable regressor, in its units"),
-        Field("normal_start", "-", "sum of squares before the first update, in units of drive squared"),
+        Field("normal_start", "-", "sum of squares before the first update, in units of psi squared"),
         Field("forgetting", "-", "share of the past kept at each update, 1 - 2^-k"),
         Field("updates_most", "-", "updates the mean square averages over, 2^k"),
         Field("dead_zone", o.unit, f"|{o.name}| that must be exceeded for an update"),
@@ -107,11 +107,14 @@ def _config(r: Regression) -> tuple[Field, ...]:
 def _state(r: Regression) -> tuple[Field, ...]:
     i, o, target = r.layout.input, r.layout.output, r.reduction.unknowns[0]
     return (
-        Field("normal", "-", "sum of squares of the regressor, in units of drive squared"),
+        Field("normal", "-", "sum of squares of the regressor"),
         Field("cross", "-", "sum of regressor times target"),
-        Field("mean_square", "-", "mean square of the residual"),
+        Field("mean_square", f"({o.unit})^2", "mean square of the residual behind the filter"),
         Field(target.name, target.unit, target.meaning),
+        Field("log_variance", "-", f"variance of ln {target.name} at the last update"),
+        Field("raw_spread", f"({o.unit})^2", "variance of the innovation at the last update"),
         Field("star", f"1/({o.unit})", f"dimensionless per physical {o.name} at the last usable scale"),
+        Field("per_unknown", "-", f"{r.unknown} per {target.name} at the same scale"),
         Field("updates", "-", "updates made, up to their greatest number"),
         Field("span", "-", "greatest power of two in them"),
         Field("pace", "-", "its reciprocal"),
@@ -142,16 +145,24 @@ def _start(r: Regression, states: tuple[Field, ...]) -> list[Statement]:
         "normal": S("normal_start"),
         "cross": S("normal_start") * S(f"{target}_start"),
         target: S(f"{target}_start"),
+        "log_variance": S("variance_limit"),
+        "raw_spread": S("noise_variance"),
         "span": sp.Integer(1),
         "pace": sp.Integer(1),
         f"last_{r.speed}": S(f"{r.speed}_least"),
     }
-    names = [s.name for f in states for s in f.symbols if s.name != "star"]
-    return [*(Assign(n, sp.sympify(start.get(n, 0))) for n in names), Assign("star", _star(r))]
+    names = [s.name for f in states for s in f.symbols if s.name not in ("star", "per_unknown")]
+    return [*(Assign(n, sp.sympify(start.get(n, 0))) for n in names), *_scales(r)]
+
+
+def _scales(r: Regression) -> list[Assign]:
+    """What follows from the measured scale."""
+    per = at_now(r, r.per_target).xreplace(_by_star(r))
+    return [Assign("star", _star(r)), Assign("per_unknown", per)]
 
 
 def _step(r: Regression) -> list[Statement]:
-    another = (Assign(f"last_{r.speed}", S("scale_now")), Assign("star", _star(r)))
+    another = (Assign(f"last_{r.speed}", S("scale_now")), *_scales(r))
     return [
         Assign("predicted", S("last_measured")),
         Assign("innovation", sp.Integer(0)),
@@ -184,7 +195,8 @@ def _predict(r: Regression) -> list[Statement]:
     inverse = 1 / (S("biquad_1_0") * S("biquad_2_0"))
     return [
         Assign("psi", gain * (D1 - D2) - damping * (R1 - R2), "regressor, eqs 25-26, for a unit of K"),
-        Assign("filtered", 2 * R1 - R2 + S("psi") * S(r.layout.target), "filtered output predicted"),
+        Assign("told", S("psi") * S(r.layout.target), "second difference predicted"),
+        Assign("filtered", 2 * R1 - R2 + S("told"), "filtered output predicted"),
         Assign("rest", rest, "filtered output if the newest were zero"),
         Assign("predicted", (S("filtered") - S("rest")) * inverse),
         When(S("usable") > HALF, (Assign("innovation", S("y_now") - S("predicted")),)),
@@ -201,23 +213,23 @@ def _filter() -> list[Statement]:
 def _learn(r: Regression) -> list[Statement]:
     """Two sums and their ratio where the raw output exceeds the dead zone."""
     K, limit, keep = S(r.layout.target), S(f"{r.layout.target}_limit"), S("forgetting")
-    y_now, dead, star = S("y_now"), S("dead_zone"), S("star")
+    y_now, dead = S("y_now"), S("dead_zone")
     beyond = sp.Or(y_now > dead, y_now < -dead)
     believable = (S("psi") < S("psi_limit"), S("psi") > -S("psi_limit"))
     used = sp.And(S("live") > HALF, S("fresh") > S("settle_samples"), beyond, *believable)
     more = sp.And(S("updates") >= 2 * S("span"), S("span") < S("updates_most"))
     body = (
         Assign("change", R0 - 2 * R1 + R2, "second difference, eq 24"),
-        Assign("residual", S("change") - S("psi") * K),
-        Assign("drive", star * S("psi")),
-        Assign("rest_square", (star * S("residual")) ** 2),
-        Assign("normal", keep * S("normal") + S("drive") ** 2),
-        Assign("cross", keep * S("cross") + S("drive") * (star * S("change"))),
+        Assign("residual", S("change") - S("told")),
+        Assign("rest_square", S("residual") ** 2),
+        Assign("normal", keep * S("normal") + S("psi") ** 2),
+        Assign("cross", keep * S("cross") + S("psi") * S("change")),
         Assign("mean_square", S("mean_square") + S("pace") * (S("rest_square") - S("mean_square"))),
         Assign("updates", sp.Min(S("updates") + 1, S("updates_most"))),
         When(more, (Assign("span", 2 * S("span")), Assign("pace", S("pace") / 2)), (), "twice as many"),
         Assign(r.layout.target, S("cross") / S("normal")),
         Assign(r.layout.target, sp.Max(sp.Min(K, limit), -limit)),
+        *_spread(r),
         *_verdict(r),
     )
     return [When(used, body, (), "outside the dead zone, filters settled")]
@@ -232,7 +244,7 @@ def _verdict(r: Regression) -> list[Statement]:
         now = at_now(r, validity[0]).xreplace({r.layout.output.symbol: S("y_now")})
         beyond = sp.Or(now > S("validity_limit"), now < -S("validity_limit"))
         lines.append(When(beyond, (set_status("outside_linear"),)))
-    edge = sp.Or(K <= S(f"{r.layout.target}_low"), K >= limit)
+    edge = sp.Or(K <= S(f"{r.layout.target}_low"), K > EDGE * limit)
     return [*lines, When(edge, (set_status("at_limit"),), (), "no stiffness is zero or less")]
 
 
@@ -247,25 +259,27 @@ def _remember() -> list[Statement]:
     ]
 
 
-def _outputs(r: Regression) -> list[Statement]:
-    """The unknown and its group; scatter of the residual as variance, without the noise's bias."""
-    target, limit = r.layout.target, S("variance_limit")
+def _spread(r: Regression) -> list[Statement]:
+    """Scatter of the residual as raw output, and the variance of the logarithm: spread/(normal K^2)."""
     direct = S("biquad_1_0") * S("biquad_2_0")
-    least = S("noise_variance") * direct**2 * S("star") ** 2
-    unit = 1 / _star(r)
+    raw = sp.Max(S("mean_square") / direct**2, S("noise_variance"))
+    return [
+        Assign("raw_spread", raw, "never below the sensor's share"),
+        Assign(
+            "scatter", S("raw_spread") * direct**2 / (S("cross") * S(r.layout.target)), "normal K = cross"
+        ),
+        Assign("log_variance", sp.Min(S("scatter"), S("variance_limit"))),
+    ]
+
+
+def _outputs(r: Regression) -> list[Statement]:
+    """The unknown and its group, and how well they are known since the last update."""
+    target = r.layout.target
     return [
         Assign("estimate", sp.Max(S(target), S(f"{target}_low"))),
-        Assign(r.unknown, S("estimate") * at_now(r, r.per_target).xreplace(_by_star(r))),
-        Assign("spread", sp.Max(S("mean_square"), least), "never below the sensor's share"),
-        Assign("innovation_variance", S("spread") * unit**2 / direct**2),
-        Assign("variance", limit),
-        When(
-            S("updates") > HALF,
-            (
-                Assign("scatter", S("spread") / (S("normal") * S("estimate") ** 2)),
-                Assign("variance", sp.Min(S("scatter"), limit)),
-            ),
-        ),
+        Assign(r.unknown, S("estimate") * S("per_unknown")),
+        Assign("innovation_variance", S("raw_spread")),
+        Assign("variance", S("log_variance")),
     ]
 
 

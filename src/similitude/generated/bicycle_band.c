@@ -130,43 +130,13 @@ typedef struct bicycle_band_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_band_init(const bicycle_band_config *config, bicycle_band_state *state)
 {
-    const bicycle_band_real pi1 = config->pi1;
-    const bicycle_band_real eta = config->eta;
-    const bicycle_band_real rho = config->rho;
-    const bicycle_band_real sample_time = config->sample_time;
-    const bicycle_band_real K_start = config->K_start;
-    const bicycle_band_real variance_limit = config->variance_limit;
-    const bicycle_band_real U_least = config->U_least;
     bicycle_band_real *const input_memory = state->input_memory;
     bicycle_band_real *const output_memory = state->output_memory;
-    bicycle_band_real A;
-    bicycle_band_real K;
-    bicycle_band_real Q;
-    bicycle_band_real aged;
-    bicycle_band_real block_age;
-    bicycle_band_real block_score;
-    bicycle_band_real block_weight;
-    bicycle_band_real blocks;
-    bicycle_band_real damping;
-    bicycle_band_real excitation;
-    bicycle_band_real fresh;
-    bicycle_band_real information;
-    bicycle_band_real input_before;
-    bicycle_band_real input_gain;
-    bicycle_band_real last_U;
-    bicycle_band_real last_input;
-    bicycle_band_real last_measured;
-    bicycle_band_real log_variance;
-    bicycle_band_real mean_square;
-    bicycle_band_real output_before;
-    bicycle_band_real scatter_sum;
-    bicycle_band_real scatter_weight;
-    bicycle_band_real started;
-    K = K_start;
-    input_gain = (-sample_time/(rho*(pi1 - R(1.0))));
-    damping = (-sample_time*(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - R(1.0))));
-    Q = R(0.0);
-    A = R(0.0);
+    state->K = config->K_start;
+    state->input_gain = (-config->sample_time/(config->rho*(config->pi1 - R(1.0))));
+    state->damping = (-config->sample_time*(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
+    state->Q = R(0.0);
+    state->A = R(0.0);
     input_memory[0] = R(0.0);
     input_memory[1] = R(0.0);
     input_memory[2] = R(0.0);
@@ -183,303 +153,189 @@ SIMILITUDE_API void bicycle_band_init(const bicycle_band_config *config, bicycle
     output_memory[5] = R(0.0);
     output_memory[6] = R(0.0);
     output_memory[7] = R(0.0);
-    input_before = R(0.0);
-    output_before = R(0.0);
-    excitation = R(0.0);
-    mean_square = R(0.0);
-    block_score = R(0.0);
-    block_weight = R(0.0);
-    block_age = R(0.0);
-    scatter_sum = R(0.0);
-    scatter_weight = R(0.0);
-    blocks = (-R(1.0));
-    log_variance = variance_limit;
-    aged = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    last_measured = R(0.0);
-    last_U = U_least;
-    fresh = R(0.0);
-    started = R(0.0);
-    state->K = K;
-    state->input_gain = input_gain;
-    state->damping = damping;
-    state->Q = Q;
-    state->A = A;
-    state->input_before = input_before;
-    state->output_before = output_before;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
+    state->input_before = R(0.0);
+    state->output_before = R(0.0);
+    state->excitation = R(0.0);
+    state->mean_square = R(0.0);
+    state->block_score = R(0.0);
+    state->block_weight = R(0.0);
+    state->block_age = R(0.0);
+    state->scatter_sum = R(0.0);
+    state->scatter_weight = R(0.0);
+    state->blocks = (-R(1.0));
+    state->log_variance = config->variance_limit;
+    state->aged = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->last_measured = R(0.0);
+    state->last_U = config->U_least;
+    state->fresh = R(0.0);
+    state->started = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bicycle_band_state *state,
-                                     const bicycle_band_sample *sample, bicycle_band_output *output)
+SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict config,
+                                     bicycle_band_state *restrict state,
+                                     const bicycle_band_sample *restrict sample,
+                                     bicycle_band_output *restrict output)
 {
-    const bicycle_band_real L = config->L;
-    const bicycle_band_real biquad_1_0 = config->biquad_1[0];
-    const bicycle_band_real biquad_1_1 = config->biquad_1[1];
-    const bicycle_band_real biquad_1_2 = config->biquad_1[2];
-    const bicycle_band_real biquad_1_3 = config->biquad_1[3];
-    const bicycle_band_real biquad_1_4 = config->biquad_1[4];
-    const bicycle_band_real biquad_2_0 = config->biquad_2[0];
-    const bicycle_band_real biquad_2_1 = config->biquad_2[1];
-    const bicycle_band_real biquad_2_2 = config->biquad_2[2];
-    const bicycle_band_real biquad_2_3 = config->biquad_2[3];
-    const bicycle_band_real biquad_2_4 = config->biquad_2[4];
-    const bicycle_band_real biquad_3_0 = config->biquad_3[0];
-    const bicycle_band_real biquad_3_1 = config->biquad_3[1];
-    const bicycle_band_real biquad_3_2 = config->biquad_3[2];
-    const bicycle_band_real biquad_3_3 = config->biquad_3[3];
-    const bicycle_band_real biquad_3_4 = config->biquad_3[4];
-    const bicycle_band_real biquad_4_0 = config->biquad_4[0];
-    const bicycle_band_real biquad_4_1 = config->biquad_4[1];
-    const bicycle_band_real biquad_4_2 = config->biquad_4[2];
-    const bicycle_band_real biquad_4_3 = config->biquad_4[3];
-    const bicycle_band_real biquad_4_4 = config->biquad_4[4];
-    const bicycle_band_real forgetting = config->forgetting;
-    const bicycle_band_real noise_variance = config->noise_variance;
-    const bicycle_band_real noise_zero = config->noise_zero;
-    const bicycle_band_real noise_one = config->noise_one;
-    const bicycle_band_real signal_least = config->signal_least;
-    const bicycle_band_real K_low = config->K_low;
-    const bicycle_band_real K_high = config->K_high;
-    const bicycle_band_real excitation_least = config->excitation_least;
-    const bicycle_band_real excitation_rate = config->excitation_rate;
-    const bicycle_band_real block = config->block;
-    const bicycle_band_real block_keep = config->block_keep;
-    const bicycle_band_real blocks_most = config->blocks_most;
-    const bicycle_band_real scatter_low = config->scatter_low;
-    const bicycle_band_real variance_limit = config->variance_limit;
-    const bicycle_band_real idle_drift = config->idle_drift;
-    const bicycle_band_real settle_samples = config->settle_samples;
-    const bicycle_band_real dt_low = config->dt_low;
-    const bicycle_band_real dt_high = config->dt_high;
-    const bicycle_band_real U_least = config->U_least;
-    const bicycle_band_real input_limit = config->input_limit;
-    const bicycle_band_real output_limit = config->output_limit;
-    const bicycle_band_real output_jump = config->output_jump;
-    const bicycle_band_real signal_limit = config->signal_limit;
-    const bicycle_band_real validity_limit = config->validity_limit;
-    const bicycle_band_real dt = sample->dt;
-    const bicycle_band_real input = sample->input;
-    const bicycle_band_real U = sample->U;
-    const bicycle_band_real measured = sample->measured;
     bicycle_band_real *const input_memory = state->input_memory;
     bicycle_band_real *const output_memory = state->output_memory;
-    bicycle_band_real K = state->K;
-    bicycle_band_real input_gain = state->input_gain;
-    bicycle_band_real damping = state->damping;
-    bicycle_band_real Q = state->Q;
-    bicycle_band_real A = state->A;
-    bicycle_band_real input_before = state->input_before;
-    bicycle_band_real output_before = state->output_before;
-    bicycle_band_real excitation = state->excitation;
-    bicycle_band_real mean_square = state->mean_square;
-    bicycle_band_real block_score = state->block_score;
-    bicycle_band_real block_weight = state->block_weight;
-    bicycle_band_real block_age = state->block_age;
-    bicycle_band_real scatter_sum = state->scatter_sum;
-    bicycle_band_real scatter_weight = state->scatter_weight;
-    bicycle_band_real blocks = state->blocks;
-    bicycle_band_real log_variance = state->log_variance;
-    bicycle_band_real aged = state->aged;
-    bicycle_band_real information = state->information;
-    bicycle_band_real last_input = state->last_input;
-    bicycle_band_real last_measured = state->last_measured;
-    bicycle_band_real last_U = state->last_U;
-    bicycle_band_real fresh = state->fresh;
-    bicycle_band_real started = state->started;
-    bicycle_band_real edge = R(0.0);
+    int edge = 0;
     bicycle_band_real estimate = R(0.0);
     bicycle_band_real excited = R(0.0);
     bicycle_band_real information_gained = R(0.0);
     bicycle_band_real innovation = R(0.0);
     bicycle_band_real innovation_variance = R(0.0);
-    bicycle_band_real live = R(0.0);
+    int live = 0;
     bicycle_band_real predicted = R(0.0);
     bicycle_band_real scale_now = R(0.0);
     bicycle_band_real spread = R(0.0);
-    bicycle_band_real status = R(0.0);
+    int status = 0;
     bicycle_band_real u_now = R(0.0);
     bicycle_band_real unknowns = R(0.0);
-    bicycle_band_real usable = R(0.0);
+    int usable = 0;
     bicycle_band_real variance = R(0.0);
     bicycle_band_real y_now = R(0.0);
 
-    predicted = last_measured;
+    predicted = state->last_measured;
     innovation = R(0.0);
     unknowns = R(0.0);
-    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
-        usable = R(1.0);
-        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
-            u_now = input;
-            scale_now = U;
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
+        status = 1;
+        usable = 1;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
+            u_now = sample->input;
+            scale_now = sample->U;
         } else {
-            u_now = last_input;
-            scale_now = last_U;
-            usable = R(0.0);
+            u_now = state->last_input;
+            scale_now = state->last_U;
+            usable = 0;
         }
-        if ((!((((measured - last_measured) < (-output_jump)) || ((measured - last_measured) > output_jump)) && (fresh > R(0.5)))) && (measured < output_limit) && (measured > (-output_limit))) { /* so is an output */
-            y_now = measured;
+        if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
+            y_now = sample->measured;
         } else {
-            y_now = last_measured;
-            usable = R(0.0);
+            y_now = state->last_measured;
+            usable = 0;
         }
-        if (scale_now > U_least) { /* fast enough to see the dynamics */
-            if ((scale_now < last_U) || (scale_now > last_U)) { /* another scale */
-                last_U = scale_now;
+        if (scale_now > config->U_least) { /* fast enough to see the dynamics */
+            if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
+                state->last_U = scale_now;
             }
-            live = R(1.0);
-            started = R(1.0);
+            live = 1;
+            state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
-        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the sample before is elsewhere */
-            fresh = R(0.0);
-            status = R(5.0);
+        if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
+            state->fresh = R(0.0);
+            status = 5;
         }
-        if (usable > R(0.5)) { /* usable samples in a row */
-            fresh = R(1.0) + ((fresh) < (settle_samples) ? fresh : settle_samples);
+        if (usable > 0) { /* usable samples in a row */
+            state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
-            fresh = R(0.0);
-            status = R(4.0);
+            state->fresh = R(0.0);
+            status = 4;
         }
-        const bicycle_band_real at_U = last_U;
+        const bicycle_band_real at_U = state->last_U;
         const bicycle_band_real inv_U = (R(1.0)/at_U);
-        const bicycle_band_real inv_L = (R(1.0)/L);
-        const bicycle_band_real input_after_1 = input_memory[0] + biquad_1_0*u_now;
-        input_memory[0] = input_memory[1] + biquad_1_1*u_now - biquad_1_3*input_after_1;
-        input_memory[1] = biquad_1_2*u_now - biquad_1_4*input_after_1;
-        const bicycle_band_real input_after_2 = input_memory[2] + biquad_2_0*input_after_1;
-        input_memory[2] = input_memory[3] + biquad_2_1*input_after_1 - biquad_2_3*input_after_2;
-        input_memory[3] = biquad_2_2*input_after_1 - biquad_2_4*input_after_2;
-        const bicycle_band_real input_after_3 = input_memory[4] + biquad_3_0*input_after_2;
-        input_memory[4] = input_memory[5] + biquad_3_1*input_after_2 - biquad_3_3*input_after_3;
-        input_memory[5] = biquad_3_2*input_after_2 - biquad_3_4*input_after_3;
-        const bicycle_band_real input_filtered = input_memory[6] + biquad_4_0*input_after_3;
-        input_memory[6] = input_memory[7] + biquad_4_1*input_after_3 - biquad_4_3*input_filtered;
-        input_memory[7] = biquad_4_2*input_after_3 - biquad_4_4*input_filtered;
-        const bicycle_band_real output_after_1 = output_memory[0] + biquad_1_0*y_now;
-        output_memory[0] = output_memory[1] + biquad_1_1*y_now - biquad_1_3*output_after_1;
-        output_memory[1] = biquad_1_2*y_now - biquad_1_4*output_after_1;
-        const bicycle_band_real output_after_2 = output_memory[2] + biquad_2_0*output_after_1;
-        output_memory[2] = output_memory[3] + biquad_2_1*output_after_1 - biquad_2_3*output_after_2;
-        output_memory[3] = biquad_2_2*output_after_1 - biquad_2_4*output_after_2;
-        const bicycle_band_real output_after_3 = output_memory[4] + biquad_3_0*output_after_2;
-        output_memory[4] = output_memory[5] + biquad_3_1*output_after_2 - biquad_3_3*output_after_3;
-        output_memory[5] = biquad_3_2*output_after_2 - biquad_3_4*output_after_3;
-        const bicycle_band_real output_filtered = output_memory[6] + biquad_4_0*output_after_3;
-        output_memory[6] = output_memory[7] + biquad_4_1*output_after_3 - biquad_4_3*output_filtered;
-        output_memory[7] = biquad_4_2*output_after_3 - biquad_4_4*output_filtered;
-        const bicycle_band_real from_input = input_gain*(inv_L*inv_L); /* psi per input */
-        const bicycle_band_real from_output = damping*inv_L*inv_U; /* -psi per output */
-        const bicycle_band_real driven = from_input*input_before;
-        const bicycle_band_real psi = driven - from_output*output_before;
-        const bicycle_band_real y = output_filtered - output_before;
-        const bicycle_band_real residual = y - K*psi;
-        innovation = (usable > R(0.5) ? residual : R(0.0));
+        const bicycle_band_real inv_L = (R(1.0)/config->L);
+        const bicycle_band_real input_after_1 = input_memory[0] + config->biquad_1[0]*u_now;
+        input_memory[0] = input_memory[1] + config->biquad_1[1]*u_now - config->biquad_1[3]*input_after_1;
+        input_memory[1] = config->biquad_1[2]*u_now - config->biquad_1[4]*input_after_1;
+        const bicycle_band_real input_after_2 = input_memory[2] + config->biquad_2[0]*input_after_1;
+        input_memory[2] = input_memory[3] + config->biquad_2[1]*input_after_1 - config->biquad_2[3]*input_after_2;
+        input_memory[3] = config->biquad_2[2]*input_after_1 - config->biquad_2[4]*input_after_2;
+        const bicycle_band_real input_after_3 = input_memory[4] + config->biquad_3[0]*input_after_2;
+        input_memory[4] = input_memory[5] + config->biquad_3[1]*input_after_2 - config->biquad_3[3]*input_after_3;
+        input_memory[5] = config->biquad_3[2]*input_after_2 - config->biquad_3[4]*input_after_3;
+        const bicycle_band_real input_filtered = input_memory[6] + config->biquad_4[0]*input_after_3;
+        input_memory[6] = input_memory[7] + config->biquad_4[1]*input_after_3 - config->biquad_4[3]*input_filtered;
+        input_memory[7] = config->biquad_4[2]*input_after_3 - config->biquad_4[4]*input_filtered;
+        const bicycle_band_real output_after_1 = output_memory[0] + config->biquad_1[0]*y_now;
+        output_memory[0] = output_memory[1] + config->biquad_1[1]*y_now - config->biquad_1[3]*output_after_1;
+        output_memory[1] = config->biquad_1[2]*y_now - config->biquad_1[4]*output_after_1;
+        const bicycle_band_real output_after_2 = output_memory[2] + config->biquad_2[0]*output_after_1;
+        output_memory[2] = output_memory[3] + config->biquad_2[1]*output_after_1 - config->biquad_2[3]*output_after_2;
+        output_memory[3] = config->biquad_2[2]*output_after_1 - config->biquad_2[4]*output_after_2;
+        const bicycle_band_real output_after_3 = output_memory[4] + config->biquad_3[0]*output_after_2;
+        output_memory[4] = output_memory[5] + config->biquad_3[1]*output_after_2 - config->biquad_3[3]*output_after_3;
+        output_memory[5] = config->biquad_3[2]*output_after_2 - config->biquad_3[4]*output_after_3;
+        const bicycle_band_real output_filtered = output_memory[6] + config->biquad_4[0]*output_after_3;
+        output_memory[6] = output_memory[7] + config->biquad_4[1]*output_after_3 - config->biquad_4[3]*output_filtered;
+        output_memory[7] = config->biquad_4[2]*output_after_3 - config->biquad_4[4]*output_filtered;
+        const bicycle_band_real from_input = state->input_gain*(inv_L*inv_L); /* psi per input */
+        const bicycle_band_real from_output = state->damping*inv_L*inv_U; /* -psi per output */
+        const bicycle_band_real driven = from_input*state->input_before;
+        const bicycle_band_real psi = driven - from_output*state->output_before;
+        const bicycle_band_real y = output_filtered - state->output_before;
+        const bicycle_band_real residual = y - state->K*psi;
+        innovation = (usable > 0 ? residual : R(0.0));
         predicted = y_now - innovation;
-        const bicycle_band_real drive = K*driven; /* what the input alone does to the regression */
-        excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-        excited = (excitation > excitation_least ? R(1.0) : R(0.0));
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* the band is excited, the filters settled */
-            Q = Q*forgetting + psi*y - from_output*noise_variance*(noise_zero - noise_one);
-            A = (psi*psi) + A*forgetting - noise_variance*noise_zero*(from_output*from_output);
-            const bicycle_band_real noise_sum = noise_variance*noise_zero*(from_output*from_output)/(R(1.0) - forgetting); /* what noise alone would sum to */
-            if (A > noise_sum*signal_least) { /* more than noise */
-                K = Q/A;
-                edge = R(0.0);
-                if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
-                    K = ((K) > (K_low) ? K : K_low);
-                    K = ((K) < (K_high) ? K : K_high);
-                    edge = R(1.0);
+        const bicycle_band_real drive = state->K*driven; /* what the input alone does to the regression */
+        state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+        excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the band is excited, the filters settled */
+            state->Q = state->Q*config->forgetting + psi*y - from_output*config->noise_variance*(config->noise_zero - config->noise_one);
+            state->A = (psi*psi) + state->A*config->forgetting - config->noise_variance*config->noise_zero*(from_output*from_output);
+            const bicycle_band_real noise_sum = config->noise_variance*config->noise_zero*(from_output*from_output)/(R(1.0) - config->forgetting); /* what noise alone would sum to */
+            if (state->A > noise_sum*config->signal_least) { /* more than noise */
+                state->K = state->Q/state->A;
+                edge = 0;
+                if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
+                    state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
+                    state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
+                    edge = 1;
                 }
                 unknowns = R(1.0);
-                block_score = block_score + psi*residual;
-                block_weight = block_weight + (psi*psi);
-                block_age = block_age + dt;
-                if (block_age >= block) { /* the block is full */
-                    const bicycle_band_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
-                    scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
-                    scatter_weight = counted*(block_weight + block_keep*scatter_weight);
-                    blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
-                    block_score = R(0.0);
-                    block_weight = R(0.0);
-                    block_age = R(0.0);
+                state->block_score = state->block_score + psi*residual;
+                state->block_weight = state->block_weight + (psi*psi);
+                state->block_age = state->block_age + sample->dt;
+                if (state->block_age >= config->block) { /* the block is full */
+                    const bicycle_band_real counted = (state->blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                    state->scatter_sum = counted*((state->block_score*state->block_score) + config->block_keep*state->scatter_sum);
+                    state->scatter_weight = counted*(state->block_weight + config->block_keep*state->scatter_weight);
+                    state->blocks = ((config->blocks_most) < (R(1.0) + state->blocks) ? config->blocks_most : R(1.0) + state->blocks);
+                    state->block_score = R(0.0);
+                    state->block_weight = R(0.0);
+                    state->block_age = R(0.0);
                 }
-                if ((A > R(0.0)) && (blocks > R(2.5)) && (scatter_weight > R(0.0))) { /* enough blocks */
-                    spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
-                    log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/(A*(K*K))) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/(A*(K*K)));
-                    const bicycle_band_real told = (K*K)*(psi*psi)/spread; /* by this sample */
-                    information = information + told;
+                if ((state->A > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                    spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
+                    state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K))) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K)));
+                    const bicycle_band_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */
+                    state->information = state->information + told;
                 }
-                status = R(0.0);
-                if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
-                    status = R(2.0);
+                status = 0;
+                if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
+                    status = 2;
                 }
-                if (edge > R(0.5)) { /* the population's edge */
-                    status = R(3.0);
+                if (edge > 0) { /* the population's edge */
+                    status = 3;
                 }
             }
         }
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* unseen, K may change */
-            aged = aged*forgetting;
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+            state->aged = state->aged*config->forgetting;
         } else {
-            aged = ((variance_limit) < (aged + dt*idle_drift) ? variance_limit : aged + dt*idle_drift);
+            state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
         }
-        input_before = input_filtered;
-        output_before = output_filtered;
-        if (usable > R(0.5)) {
-            mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+        state->input_before = input_filtered;
+        state->output_before = output_filtered;
+        if (usable > 0) {
+            state->mean_square = state->mean_square + ((innovation*innovation) - state->mean_square)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         }
-        last_input = u_now;
-        last_measured = y_now;
+        state->last_input = u_now;
+        state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
-    innovation_variance = ((mean_square) > (scatter_low) ? mean_square : scatter_low);
-    estimate = K;
-    variance = ((variance_limit) < (aged + log_variance) ? variance_limit : aged + log_variance);
-    information_gained = information;
+    innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
+    estimate = state->K;
+    variance = ((config->variance_limit) < (state->aged + state->log_variance) ? config->variance_limit : state->aged + state->log_variance);
+    information_gained = state->information;
 
-    state->K = K;
-    state->Q = Q;
-    state->A = A;
-    state->input_before = input_before;
-    state->output_before = output_before;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
@@ -487,7 +343,7 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

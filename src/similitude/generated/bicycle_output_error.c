@@ -130,272 +130,149 @@ typedef struct bicycle_output_error_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_output_error_init(const bicycle_output_error_config *config, bicycle_output_error_state *state)
 {
-    const bicycle_output_error_real pi1 = config->pi1;
-    const bicycle_output_error_real eta = config->eta;
-    const bicycle_output_error_real rho = config->rho;
-    const bicycle_output_error_real noise_variance = config->noise_variance;
-    const bicycle_output_error_real start_variance = config->start_variance;
-    const bicycle_output_error_real K_start = config->K_start;
-    const bicycle_output_error_real variance_limit = config->variance_limit;
-    const bicycle_output_error_real U_least = config->U_least;
-    bicycle_output_error_real A;
-    bicycle_output_error_real K;
-    bicycle_output_error_real aged;
-    bicycle_output_error_real block_age;
-    bicycle_output_error_real block_score;
-    bicycle_output_error_real block_weight;
-    bicycle_output_error_real blocks;
-    bicycle_output_error_real damping;
-    bicycle_output_error_real error_offset;
-    bicycle_output_error_real excitation;
-    bicycle_output_error_real fresh;
-    bicycle_output_error_real information;
-    bicycle_output_error_real last_U;
-    bicycle_output_error_real last_input;
-    bicycle_output_error_real last_measured;
-    bicycle_output_error_real log_variance;
-    bicycle_output_error_real mean_square;
-    bicycle_output_error_real pair_output;
-    bicycle_output_error_real r_star;
-    bicycle_output_error_real r_star_slope;
-    bicycle_output_error_real scale_before;
-    bicycle_output_error_real scatter_sum;
-    bicycle_output_error_real scatter_weight;
-    bicycle_output_error_real slope_offset;
-    bicycle_output_error_real started;
-    bicycle_output_error_real stiffness;
-    bicycle_output_error_real v_star;
-    bicycle_output_error_real v_star_slope;
-    K = K_start;
-    v_star = R(0.0);
-    r_star = R(0.0);
-    v_star_slope = R(0.0);
-    r_star_slope = R(0.0);
-    damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - R(1.0))));
-    stiffness = (-(eta - R(1.0))/(rho*(pi1 - R(1.0))));
-    pair_output = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
-    scale_before = U_least;
-    A = noise_variance/start_variance;
-    error_offset = R(0.0);
-    slope_offset = R(0.0);
-    excitation = R(0.0);
-    mean_square = R(0.0);
-    block_score = R(0.0);
-    block_weight = R(0.0);
-    block_age = R(0.0);
-    scatter_sum = R(0.0);
-    scatter_weight = R(0.0);
-    blocks = (-R(1.0));
-    log_variance = variance_limit;
-    aged = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    last_measured = R(0.0);
-    last_U = U_least;
-    fresh = R(0.0);
-    started = R(0.0);
-    state->K = K;
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_slope = v_star_slope;
-    state->r_star_slope = r_star_slope;
-    state->damping = damping;
-    state->stiffness = stiffness;
-    state->pair_output = pair_output;
-    state->scale_before = scale_before;
-    state->A = A;
-    state->error_offset = error_offset;
-    state->slope_offset = slope_offset;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
+    state->K = config->K_start;
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->v_star_slope = R(0.0);
+    state->r_star_slope = R(0.0);
+    state->damping = (-(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
+    state->stiffness = (-(config->eta - R(1.0))/(config->rho*(config->pi1 - R(1.0))));
+    state->pair_output = config->eta/(config->rho*((config->pi1 - R(1.0))*(config->pi1 - R(1.0))));
+    state->scale_before = config->U_least;
+    state->A = config->noise_variance/config->start_variance;
+    state->error_offset = R(0.0);
+    state->slope_offset = R(0.0);
+    state->excitation = R(0.0);
+    state->mean_square = R(0.0);
+    state->block_score = R(0.0);
+    state->block_weight = R(0.0);
+    state->block_age = R(0.0);
+    state->scatter_sum = R(0.0);
+    state->scatter_weight = R(0.0);
+    state->blocks = (-R(1.0));
+    state->log_variance = config->variance_limit;
+    state->aged = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->last_measured = R(0.0);
+    state->last_U = config->U_least;
+    state->fresh = R(0.0);
+    state->started = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_config *config, bicycle_output_error_state *state,
-                                     const bicycle_output_error_sample *sample, bicycle_output_error_output *output)
+SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_config *restrict config,
+                                     bicycle_output_error_state *restrict state,
+                                     const bicycle_output_error_sample *restrict sample,
+                                     bicycle_output_error_output *restrict output)
 {
-    const bicycle_output_error_real L = config->L;
-    const bicycle_output_error_real pi1 = config->pi1;
-    const bicycle_output_error_real eta = config->eta;
-    const bicycle_output_error_real rho = config->rho;
-    const bicycle_output_error_real forgetting_rate = config->forgetting_rate;
-    const bicycle_output_error_real observer_rate = config->observer_rate;
-    const bicycle_output_error_real observer_margin = config->observer_margin;
-    const bicycle_output_error_real offset_rate = config->offset_rate;
-    const bicycle_output_error_real state_limit = config->state_limit;
-    const bicycle_output_error_real move_limit = config->move_limit;
-    const bicycle_output_error_real K_low = config->K_low;
-    const bicycle_output_error_real K_high = config->K_high;
-    const bicycle_output_error_real excitation_least = config->excitation_least;
-    const bicycle_output_error_real excitation_rate = config->excitation_rate;
-    const bicycle_output_error_real block = config->block;
-    const bicycle_output_error_real block_keep = config->block_keep;
-    const bicycle_output_error_real blocks_most = config->blocks_most;
-    const bicycle_output_error_real scatter_low = config->scatter_low;
-    const bicycle_output_error_real variance_limit = config->variance_limit;
-    const bicycle_output_error_real idle_drift = config->idle_drift;
-    const bicycle_output_error_real settle_samples = config->settle_samples;
-    const bicycle_output_error_real dt_low = config->dt_low;
-    const bicycle_output_error_real dt_high = config->dt_high;
-    const bicycle_output_error_real U_least = config->U_least;
-    const bicycle_output_error_real input_limit = config->input_limit;
-    const bicycle_output_error_real output_limit = config->output_limit;
-    const bicycle_output_error_real output_jump = config->output_jump;
-    const bicycle_output_error_real signal_limit = config->signal_limit;
-    const bicycle_output_error_real validity_limit = config->validity_limit;
-    const bicycle_output_error_real dt = sample->dt;
-    const bicycle_output_error_real input = sample->input;
-    const bicycle_output_error_real U = sample->U;
-    const bicycle_output_error_real measured = sample->measured;
-    bicycle_output_error_real K = state->K;
-    bicycle_output_error_real v_star = state->v_star;
-    bicycle_output_error_real r_star = state->r_star;
-    bicycle_output_error_real v_star_slope = state->v_star_slope;
-    bicycle_output_error_real r_star_slope = state->r_star_slope;
-    bicycle_output_error_real damping = state->damping;
-    bicycle_output_error_real stiffness = state->stiffness;
-    bicycle_output_error_real pair_output = state->pair_output;
-    bicycle_output_error_real scale_before = state->scale_before;
-    bicycle_output_error_real A = state->A;
-    bicycle_output_error_real error_offset = state->error_offset;
-    bicycle_output_error_real slope_offset = state->slope_offset;
-    bicycle_output_error_real excitation = state->excitation;
-    bicycle_output_error_real mean_square = state->mean_square;
-    bicycle_output_error_real block_score = state->block_score;
-    bicycle_output_error_real block_weight = state->block_weight;
-    bicycle_output_error_real block_age = state->block_age;
-    bicycle_output_error_real scatter_sum = state->scatter_sum;
-    bicycle_output_error_real scatter_weight = state->scatter_weight;
-    bicycle_output_error_real blocks = state->blocks;
-    bicycle_output_error_real log_variance = state->log_variance;
-    bicycle_output_error_real aged = state->aged;
-    bicycle_output_error_real information = state->information;
-    bicycle_output_error_real last_input = state->last_input;
-    bicycle_output_error_real last_measured = state->last_measured;
-    bicycle_output_error_real last_U = state->last_U;
-    bicycle_output_error_real fresh = state->fresh;
-    bicycle_output_error_real started = state->started;
-    bicycle_output_error_real anew = R(0.0);
-    bicycle_output_error_real edge = R(0.0);
+    int anew = 0;
+    int edge = 0;
     bicycle_output_error_real estimate = R(0.0);
     bicycle_output_error_real excited = R(0.0);
     bicycle_output_error_real information_gained = R(0.0);
     bicycle_output_error_real innovation = R(0.0);
     bicycle_output_error_real innovation_variance = R(0.0);
-    bicycle_output_error_real live = R(0.0);
+    int live = 0;
     bicycle_output_error_real predicted = R(0.0);
     bicycle_output_error_real scale_now = R(0.0);
     bicycle_output_error_real spread = R(0.0);
-    bicycle_output_error_real status = R(0.0);
+    int status = 0;
     bicycle_output_error_real u_now = R(0.0);
     bicycle_output_error_real unknowns = R(0.0);
     bicycle_output_error_real usable = R(0.0);
     bicycle_output_error_real variance = R(0.0);
     bicycle_output_error_real y_now = R(0.0);
 
-    predicted = last_measured;
+    predicted = state->last_measured;
     innovation = R(0.0);
     unknowns = R(0.0);
-    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
+        status = 1;
         usable = R(1.0);
-        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
-            u_now = input;
-            scale_now = U;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
+            u_now = sample->input;
+            scale_now = sample->U;
         } else {
-            u_now = last_input;
-            scale_now = last_U;
+            u_now = state->last_input;
+            scale_now = state->last_U;
             usable = R(0.0);
         }
-        if ((!((((measured - last_measured) < (-output_jump)) || ((measured - last_measured) > output_jump)) && (fresh > R(0.5)))) && (measured < output_limit) && (measured > (-output_limit))) { /* so is an output */
-            y_now = measured;
+        if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
+            y_now = sample->measured;
         } else {
-            y_now = last_measured;
+            y_now = state->last_measured;
             usable = R(0.0);
         }
-        if (scale_now > U_least) { /* fast enough to see the dynamics */
-            if ((scale_now < last_U) || (scale_now > last_U)) { /* another scale */
-                last_U = scale_now;
+        if (scale_now > config->U_least) { /* fast enough to see the dynamics */
+            if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
+                state->last_U = scale_now;
             }
-            live = R(1.0);
-            started = R(1.0);
+            live = 1;
+            state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
-        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the sample before is elsewhere */
-            fresh = R(0.0);
-            status = R(5.0);
+        if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
+            state->fresh = R(0.0);
+            status = 5;
         }
         if (usable > R(0.5)) { /* usable samples in a row */
-            fresh = R(1.0) + ((fresh) < (settle_samples) ? fresh : settle_samples);
+            state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
-            fresh = R(0.0);
-            status = R(4.0);
+            state->fresh = R(0.0);
+            status = 4;
         }
-        const bicycle_output_error_real at_U = last_U;
+        const bicycle_output_error_real at_U = state->last_U;
         const bicycle_output_error_real inv_U = (R(1.0)/at_U);
-        const bicycle_output_error_real inv_L = (R(1.0)/L);
-        anew = R(0.0);
-        if ((r_star < (-state_limit)) || (r_star > state_limit) || (v_star < (-state_limit)) || (v_star > state_limit)) {
-            anew = R(1.0);
-            status = R(5.0);
+        const bicycle_output_error_real inv_L = (R(1.0)/config->L);
+        anew = 0;
+        if ((state->r_star < (-config->state_limit)) || (state->r_star > config->state_limit) || (state->v_star < (-config->state_limit)) || (state->v_star > config->state_limit)) {
+            anew = 1;
+            status = 5;
         }
-        if ((anew > R(0.5)) || (dt > dt_high) || (live < R(0.5))) { /* nothing is known of the state */
-            v_star = R(0.0);
-            r_star = R(0.0);
-            v_star_slope = R(0.0);
-            r_star_slope = R(0.0);
-            error_offset = R(0.0);
-            slope_offset = R(0.0);
-            fresh = R(0.0);
+        if ((anew > 0) || (live < 1) || (sample->dt > config->dt_high)) { /* nothing is known of the state */
+            state->v_star = R(0.0);
+            state->r_star = R(0.0);
+            state->v_star_slope = R(0.0);
+            state->r_star_slope = R(0.0);
+            state->error_offset = R(0.0);
+            state->slope_offset = R(0.0);
+            state->fresh = R(0.0);
         }
-        const bicycle_output_error_real ratio_v_star = inv_U*scale_before; /* same physical state in the new scale */
-        v_star = ratio_v_star*v_star;
-        v_star_slope = ratio_v_star*v_star_slope;
-        const bicycle_output_error_real ratio_r_star = inv_U*scale_before; /* same physical state in the new scale */
-        r_star = r_star*ratio_r_star;
-        r_star_slope = r_star_slope*ratio_r_star;
-        const bicycle_output_error_real u = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_output_error_real u_change = u_now - last_input;
-        const bicycle_output_error_real h = at_U*inv_L*(dt < dt_high ? dt : R(0.0)); /* dimensionless time step */
-        const bicycle_output_error_real inv0 = (R(1.0)/rho);
-        const bicycle_output_error_real inv1 = (R(1.0)/(pi1 - R(1.0)));
-        const bicycle_output_error_real c0 = (-r_star);
+        const bicycle_output_error_real ratio_v_star = inv_U*state->scale_before; /* same physical state in the new scale */
+        state->v_star = ratio_v_star*state->v_star;
+        state->v_star_slope = ratio_v_star*state->v_star_slope;
+        const bicycle_output_error_real ratio_r_star = inv_U*state->scale_before; /* same physical state in the new scale */
+        state->r_star = state->r_star*ratio_r_star;
+        state->r_star_slope = state->r_star_slope*ratio_r_star;
+        const bicycle_output_error_real u = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+        const bicycle_output_error_real u_change = u_now - state->last_input;
+        const bicycle_output_error_real h = at_U*inv_L*(sample->dt < config->dt_high ? sample->dt : R(0.0)); /* dimensionless time step */
+        const bicycle_output_error_real inv0 = (R(1.0)/config->rho);
+        const bicycle_output_error_real inv1 = (R(1.0)/(config->pi1 - R(1.0)));
+        const bicycle_output_error_real c0 = (-state->r_star);
         const bicycle_output_error_real c1 = (inv_U*inv_U);
-        const bicycle_output_error_real c2 = v_star + pi1*r_star;
+        const bicycle_output_error_real c2 = state->v_star + config->pi1*state->r_star;
         const bicycle_output_error_real c3 = c2 - u;
         const bicycle_output_error_real c4 = c0 + c2;
-        const bicycle_output_error_real c5 = c1*pi1;
-        const bicycle_output_error_real c6 = c5*eta;
+        const bicycle_output_error_real c5 = c1*config->pi1;
+        const bicycle_output_error_real c6 = c5*config->eta;
         const bicycle_output_error_real c7 = c6*inv1;
-        const bicycle_output_error_real c8 = K*(c4*c7 - c1*c3);
+        const bicycle_output_error_real c8 = state->K*(c4*c7 - c1*c3);
         const bicycle_output_error_real c9 = c1*inv0;
-        const bicycle_output_error_real c10 = c9*eta*inv1;
-        const bicycle_output_error_real c11 = K*(c1*c3*inv0*inv1 - c10*c4);
+        const bicycle_output_error_real c10 = c9*config->eta*inv1;
+        const bicycle_output_error_real c11 = state->K*(c1*c3*inv0*inv1 - c10*c4);
         const bicycle_output_error_real c12 = R(0.16666666666666666)*h;
-        const bicycle_output_error_real c13 = K*c12;
-        const bicycle_output_error_real c14 = K*c1;
+        const bicycle_output_error_real c13 = state->K*c12;
+        const bicycle_output_error_real c14 = state->K*c1;
         const bicycle_output_error_real f_v_star = c0 + c8; /* rate [-] */
         const bicycle_output_error_real f_r_star = c11; /* rate [-] */
         const bicycle_output_error_real J_00 = c13*(c7 - c1);
-        const bicycle_output_error_real J_01 = c12*(K*(c6 - c5) - R(1.0));
+        const bicycle_output_error_real J_01 = c12*(state->K*(c6 - c5) - R(1.0));
         const bicycle_output_error_real J_10 = c13*(c1*inv0*inv1 - c10);
-        const bicycle_output_error_real J_11 = c13*(c1*inv0*inv1*pi1 - c9*eta);
+        const bicycle_output_error_real J_11 = c13*(c1*inv0*inv1*config->pi1 - c9*config->eta);
         const bicycle_output_error_real f_v_star_K = c8;
         const bicycle_output_error_real f_r_star_K = c11;
         const bicycle_output_error_real f_v_star_u = c14;
@@ -440,116 +317,91 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         const bicycle_output_error_real d_r_star = rise_r_star + G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
         const bicycle_output_error_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
         const bicycle_output_error_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
-        const bicycle_output_error_real after_v_star = d_v_star + v_star;
-        const bicycle_output_error_real after_r_star = d_r_star + r_star;
-        const bicycle_output_error_real after_v_star_slope = F_v_star_K + M_00*v_star_slope + M_01*r_star_slope;
-        const bicycle_output_error_real after_r_star_slope = F_r_star_K + M_10*v_star_slope + M_11*r_star_slope;
-        v_star = after_v_star;
-        v_star_slope = after_v_star_slope;
-        r_star = after_r_star;
-        r_star_slope = after_r_star_slope;
+        const bicycle_output_error_real after_v_star = d_v_star + state->v_star;
+        const bicycle_output_error_real after_r_star = d_r_star + state->r_star;
+        const bicycle_output_error_real after_v_star_slope = F_v_star_K + M_00*state->v_star_slope + M_01*state->r_star_slope;
+        const bicycle_output_error_real after_r_star_slope = F_r_star_K + M_10*state->v_star_slope + M_11*state->r_star_slope;
+        state->v_star = after_v_star;
+        state->v_star_slope = after_v_star_slope;
+        state->r_star = after_r_star;
+        state->r_star_slope = after_r_star_slope;
         const bicycle_output_error_real output_scale = at_U*inv_L;
-        const bicycle_output_error_real inv_output_scale = L*inv_U;
-        const bicycle_output_error_real follow = usable*((R(1.0)) < (dt*offset_rate) ? R(1.0) : dt*offset_rate);
-        const bicycle_output_error_real slope = output_scale*r_star_slope;
-        const bicycle_output_error_real error = y_now - output_scale*r_star;
-        error_offset = error_offset + follow*(error - error_offset);
-        slope_offset = slope_offset + follow*(slope - slope_offset);
-        const bicycle_output_error_real psi = slope - slope_offset; /* sensitivity without its slow part */
-        const bicycle_output_error_real residual = error - error_offset; /* error without its slow part */
+        const bicycle_output_error_real inv_output_scale = config->L*inv_U;
+        const bicycle_output_error_real follow = usable*((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
+        const bicycle_output_error_real slope = output_scale*state->r_star_slope;
+        const bicycle_output_error_real error = y_now - output_scale*state->r_star;
+        state->error_offset = state->error_offset + follow*(error - state->error_offset);
+        state->slope_offset = state->slope_offset + follow*(slope - state->slope_offset);
+        const bicycle_output_error_real psi = slope - state->slope_offset; /* sensitivity without its slow part */
+        const bicycle_output_error_real residual = error - state->error_offset; /* error without its slow part */
         innovation = (usable > R(0.5) ? residual : R(0.0));
-        predicted = error_offset + y_now - error; /* the model and its offset */
+        predicted = state->error_offset + y_now - error; /* the model and its offset */
         const bicycle_output_error_real drive = psi; /* what the input alone does to the regression */
-        excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-        excited = (excitation > excitation_least ? R(1.0) : R(0.0));
-        const bicycle_output_error_real keep = R(1.0) - ((R(0.5)) < (dt*forgetting_rate) ? R(0.5) : dt*forgetting_rate);
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* the input excites the unknown */
-            A = (psi*psi) + A*keep;
-            const bicycle_output_error_real wanted = psi*residual/A;
-            const bicycle_output_error_real move = (((-move_limit)) > (((move_limit) < (wanted) ? move_limit : wanted)) ? (-move_limit) : ((move_limit) < (wanted) ? move_limit : wanted));
-            K = K*(R(1.0) + move*(R(1.0) + move*(R(0.5) + R(0.16666666666666666)*move)));
-            edge = R(0.0);
-            if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
-                K = ((K) > (K_low) ? K : K_low);
-                K = ((K) < (K_high) ? K : K_high);
-                edge = R(1.0);
+        state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+        excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
+        const bicycle_output_error_real keep = R(1.0) - ((R(0.5)) < (sample->dt*config->forgetting_rate) ? R(0.5) : sample->dt*config->forgetting_rate);
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the input excites the unknown */
+            state->A = (psi*psi) + state->A*keep;
+            const bicycle_output_error_real wanted = psi*residual/state->A;
+            const bicycle_output_error_real move = (((-config->move_limit)) > (((config->move_limit) < (wanted) ? config->move_limit : wanted)) ? (-config->move_limit) : ((config->move_limit) < (wanted) ? config->move_limit : wanted));
+            state->K = state->K*(R(1.0) + move*(R(1.0) + move*(R(0.5) + R(0.16666666666666666)*move)));
+            edge = 0;
+            if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
+                state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
+                state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
+                edge = 1;
             }
             unknowns = R(1.0);
-            block_score = block_score + psi*residual;
-            block_weight = block_weight + (psi*psi);
-            block_age = block_age + dt;
-            if (block_age >= block) { /* the block is full */
-                const bicycle_output_error_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
-                scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
-                scatter_weight = counted*(block_weight + block_keep*scatter_weight);
-                blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
-                block_score = R(0.0);
-                block_weight = R(0.0);
-                block_age = R(0.0);
+            state->block_score = state->block_score + psi*residual;
+            state->block_weight = state->block_weight + (psi*psi);
+            state->block_age = state->block_age + sample->dt;
+            if (state->block_age >= config->block) { /* the block is full */
+                const bicycle_output_error_real counted = (state->blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                state->scatter_sum = counted*((state->block_score*state->block_score) + config->block_keep*state->scatter_sum);
+                state->scatter_weight = counted*(state->block_weight + config->block_keep*state->scatter_weight);
+                state->blocks = ((config->blocks_most) < (R(1.0) + state->blocks) ? config->blocks_most : R(1.0) + state->blocks);
+                state->block_score = R(0.0);
+                state->block_weight = R(0.0);
+                state->block_age = R(0.0);
             }
-            if ((A > R(0.0)) && (blocks > R(2.5)) && (scatter_weight > R(0.0))) { /* enough blocks */
-                spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
-                log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/A) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/A);
+            if ((state->A > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
+                state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/state->A) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/state->A);
                 const bicycle_output_error_real told = (psi*psi)/spread; /* by this sample */
-                information = information + told;
+                state->information = state->information + told;
             }
-            status = R(0.0);
-            if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
-                status = R(2.0);
+            status = 0;
+            if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
+                status = 2;
             }
-            if (edge > R(0.5)) { /* the population's edge */
-                status = R(3.0);
+            if (edge > 0) { /* the population's edge */
+                status = 3;
             }
         }
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* unseen, K may change */
-            aged = aged*keep;
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+            state->aged = state->aged*keep;
         } else {
-            aged = ((variance_limit) < (aged + dt*idle_drift) ? variance_limit : aged + dt*idle_drift);
+            state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
         }
-        const bicycle_output_error_real damped = K*damping*inv_L*inv_U;
-        const bicycle_output_error_real held = K*stiffness*(inv_L*inv_L) + pair_output*(K*K)*(inv_L*inv_L)*(inv_U*inv_U); /* y'' = -held y */
-        const bicycle_output_error_real pull = inv_output_scale*usable*((R(1.0)) < (dt*(observer_rate + R(4.0)*((R(0.0)) > (observer_margin - held) ? R(0.0) : observer_margin - held)/damped)) ? R(1.0) : dt*(observer_rate + R(4.0)*((R(0.0)) > (observer_margin - held) ? R(0.0) : observer_margin - held)/damped));
-        r_star = r_star + pull*residual;
-        r_star_slope = r_star_slope - psi*pull;
-        scale_before = last_U;
+        const bicycle_output_error_real damped = state->K*state->damping*inv_L*inv_U;
+        const bicycle_output_error_real held = state->K*state->stiffness*(inv_L*inv_L) + state->pair_output*(state->K*state->K)*(inv_L*inv_L)*(inv_U*inv_U); /* y'' = -held y */
+        const bicycle_output_error_real pull = inv_output_scale*usable*((R(1.0)) < (sample->dt*(config->observer_rate + R(4.0)*((R(0.0)) > (config->observer_margin - held) ? R(0.0) : config->observer_margin - held)/damped)) ? R(1.0) : sample->dt*(config->observer_rate + R(4.0)*((R(0.0)) > (config->observer_margin - held) ? R(0.0) : config->observer_margin - held)/damped));
+        state->r_star = state->r_star + pull*residual;
+        state->r_star_slope = state->r_star_slope - psi*pull;
+        state->scale_before = state->last_U;
         if (usable > R(0.5)) {
-            mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+            state->mean_square = state->mean_square + ((innovation*innovation) - state->mean_square)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         }
-        last_input = u_now;
-        last_measured = y_now;
+        state->last_input = u_now;
+        state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
-    innovation_variance = ((mean_square) > (scatter_low) ? mean_square : scatter_low);
-    estimate = K;
-    variance = ((variance_limit) < (aged + log_variance) ? variance_limit : aged + log_variance);
-    information_gained = information;
+    innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
+    estimate = state->K;
+    variance = ((config->variance_limit) < (state->aged + state->log_variance) ? config->variance_limit : state->aged + state->log_variance);
+    information_gained = state->information;
 
-    state->K = K;
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_slope = v_star_slope;
-    state->r_star_slope = r_star_slope;
-    state->scale_before = scale_before;
-    state->A = A;
-    state->error_offset = error_offset;
-    state->slope_offset = slope_offset;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
@@ -557,7 +409,7 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

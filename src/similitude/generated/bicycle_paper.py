@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 162
+OPERATIONS = 96
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -20,18 +20,17 @@ CONFIG = (
     ('pi4_slope', '-', 'frozen pi4/pi3', 1),
     ('pi5', '-', 'frozen pi5', 1),
     ('sample_time', 's', 'sample time the filters are designed for', 1),
-    ('biquad_1', '-', 'first section: b0, b1, b2, a1, a2 of the high-pass', 5),
-    ('biquad_2', '-', 'second section: b0, b1, b2, a1, a2 of the high-pass', 5),
+    ('poles_1', '-', 'first section of the high-pass: 1 + a1 + a2, a2', 2),
+    ('poles_2', '-', 'second section of the high-pass: 1 + a1 + a2, a2', 2),
     ('pi3_start', '-', 'pi3 before the first update', 1),
-    ('P_start', '-', 'P before the first update', 1),
+    ('normal_start', '-', 'sum of squared regressors before the first update, dimensionless', 1),
+    ('normal_least', '(rad/s)^2/(m^2/s^2)^2', 'added at each update, > 0', 1),
     ('forgetting', '-', 'share of the past kept at each update', 1),
     ('dead_zone', 'rad/s', '|r| that must be exceeded for an update', 1),
     ('settle_samples', '-', 'whole samples in a row before an update, 3 or more', 1),
     ('noise_variance', '(rad/s)^2', 'least variance of r a sample, > 0', 1),
-    ('pi3_low', '-', 'least pi3 that is reported, > 0', 1),
-    ('pi3_limit', '-', 'greatest magnitude of pi3', 1),
-    ('P_low', '-', 'least P, > 0', 1),
-    ('P_high', '-', 'greatest P', 1),
+    ('K_low', 'm^2/s^2', 'least K that is reported, > 0', 1),
+    ('K_limit', 'm^2/s^2', 'greatest magnitude of K', 1),
     ('variance_limit', '-', 'greatest variance that is reported', 1),
     ('dt_low', 's', 'shortest step that counts as one sample', 1),
     ('dt_high', 's', 'longest step that counts as one sample', 1),
@@ -44,29 +43,27 @@ CONFIG = (
 )
 
 STATE = (
-    ('m1_rate', '-', 'm1/T', 1),
-    ('m2_rate', '-', 'm2/T', 1),
-    ('m1', '1/(rad)', 'm1 per physical input at the last usable scale', 1),
-    ('m2', '1/(rad/s)', 'm2 per physical output, the same', 1),
-    ('unit', 'rad/s', 'output per dimensionless output, the same', 1),
-    ('star', '1/(rad/s)', 'its reciprocal', 1),
-    ('inv_direct', '-', '1/weight of the newest output in the filter', 1),
-    ('inv_forgetting', '-', '1/forgetting factor', 1),
-    ('least_spread', '(rad/s)^2', 'least variance of the filtered second difference', 1),
-    ('theta', '-', 'pi3 at the last usable scale', 1),
-    ('P', '-', 'covariance of theta per residual variance', 1),
-    ('mean_square', '-', 'mean square of the residual', 1),
+    ('from_input', '-', 'regressor per change of input, but for what the scale changes', 1),
+    ('from_output', '-', 'the same per change of output', 1),
+    ('theta', 'm^2/s^2', 'K of the regression', 1),
+    ('normal', '(rad/s)^2/(m^2/s^2)^2', 'sum of squared regressors, forgetting', 1),
+    ('mean_square', '(rad/s)^2', 'mean square of the residual', 1),
     ('weight', '-', 'updates the mean square rests on', 1),
     ('information', '-', 'information gained about ln K', 1),
-    ('input_memory', 'rad', 'memory of both sections for delta', 4),
-    ('output_memory', 'rad/s', 'memory of both sections for r', 4),
-    ('input_before', 'rad', 'filtered delta, one and two samples ago', 2),
-    ('output_before', 'rad/s', 'filtered r, one and two samples ago', 2),
     ('last_input', 'rad', 'last usable input', 1),
-    ('last_measured', 'rad/s', 'last usable measurement', 1),
+    ('input_change', 'rad', 'its last change', 1),
+    ('input_1', 'rad', 'what the first section holds of it', 1),
+    ('input_1_change', 'rad', 'its last change', 1),
+    ('input_2', 'rad', 'what the second section holds of it', 1),
+    ('input_2_change', 'rad', 'its last change', 1),
+    ('last_measured', 'rad/s', 'last usable output', 1),
+    ('output_change', 'rad/s', 'its last change', 1),
+    ('output_1', 'rad/s', 'what the first section holds of it', 1),
+    ('output_1_change', 'rad/s', 'its last change', 1),
+    ('output_2', 'rad/s', 'what the second section holds of it', 1),
+    ('output_2_change', 'rad/s', 'its last change', 1),
     ('last_U', 'm/s', 'last forward speed fast enough to learn', 1),
-    ('fresh', '-', 'usable samples in a row', 1),
-    ('started', '-', '0 before the first usable scale, 1 after', 1),
+    ('wait', '-', 'usable samples until the filters have settled', 1),
 )
 
 SAMPLE = (
@@ -94,220 +91,201 @@ def init(config):
     pi4_slope = config[2]
     pi5 = config[3]
     sample_time = config[4]
-    biquad_1_0 = config[5]
-    biquad_2_0 = config[10]
-    pi3_start = config[15]
-    P_start = config[16]
-    forgetting = config[17]
-    noise_variance = config[20]
-    U_least = config[28]
-    m1_rate = pi1/pi5
-    m2_rate = ((pi1*pi1) + pi4_slope*((pi1 - 1.0)*(pi1 - 1.0)) + pi5*(1.0 + pi4_slope))/pi5
-    inv_direct = 1.0/(biquad_1_0*biquad_2_0)
-    inv_forgetting = (1.0/forgetting)
-    least_spread = noise_variance*(biquad_1_0*biquad_1_0)*(biquad_2_0*biquad_2_0)
-    theta = pi3_start
-    P = P_start
+    pi3_start = config[9]
+    normal_start = config[10]
+    settle_samples = config[14]
+    U_least = config[21]
+    last_U = U_least
+    from_input = pi1*sample_time/((L*L)*pi5)
+    from_output = sample_time*((pi1*pi1) + pi4_slope*((pi1 - 1.0)*(pi1 - 1.0)) + pi5*(1.0 + pi4_slope))/(L*pi5)
+    theta = pi3_start*(last_U*last_U)
+    normal = normal_start/((L*L)*(last_U*last_U))
     mean_square = 0.0
     weight = 0.0
     information = 0.0
-    input_memory_0 = 0.0
-    input_memory_1 = 0.0
-    input_memory_2 = 0.0
-    input_memory_3 = 0.0
-    output_memory_0 = 0.0
-    output_memory_1 = 0.0
-    output_memory_2 = 0.0
-    output_memory_3 = 0.0
-    input_before_0 = 0.0
-    input_before_1 = 0.0
-    output_before_0 = 0.0
-    output_before_1 = 0.0
     last_input = 0.0
+    input_change = 0.0
+    input_1 = 0.0
+    input_1_change = 0.0
+    input_2 = 0.0
+    input_2_change = 0.0
     last_measured = 0.0
-    last_U = U_least
-    fresh = 0.0
-    started = 0.0
-    unit = last_U/L
-    star = L/last_U
-    m1 = last_U*m1_rate*sample_time/L  # eq 22, per physical input
-    m2 = last_U*m2_rate*sample_time*star/L  # eq 22, per physical output
-    return [m1_rate, m2_rate, m1, m2, unit, star, inv_direct, inv_forgetting, least_spread, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
+    output_change = 0.0
+    output_1 = 0.0
+    output_1_change = 0.0
+    output_2 = 0.0
+    output_2_change = 0.0
+    wait = 1.0 + settle_samples
+    return [from_input, from_output, theta, normal, mean_square, weight, information, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
 
 
 def step(config, state, sample):
     """One sample on the flat state, changed in place; returns (status, flat output)."""
     L = config[0]
-    sample_time = config[4]
-    biquad_1_0 = config[5]
-    biquad_1_1 = config[6]
-    biquad_1_2 = config[7]
-    biquad_1_3 = config[8]
-    biquad_1_4 = config[9]
-    biquad_2_0 = config[10]
-    biquad_2_1 = config[11]
-    biquad_2_2 = config[12]
-    biquad_2_3 = config[13]
-    biquad_2_4 = config[14]
-    forgetting = config[17]
-    dead_zone = config[18]
-    settle_samples = config[19]
-    noise_variance = config[20]
-    pi3_low = config[21]
-    pi3_limit = config[22]
-    P_low = config[23]
-    P_high = config[24]
-    variance_limit = config[25]
-    dt_low = config[26]
-    dt_high = config[27]
-    U_least = config[28]
-    input_limit = config[29]
-    output_limit = config[30]
-    output_jump = config[31]
-    signal_limit = config[32]
-    validity_limit = config[33]
+    poles_1_0 = config[5]
+    poles_1_1 = config[6]
+    poles_2_0 = config[7]
+    poles_2_1 = config[8]
+    pi3_start = config[9]
+    normal_start = config[10]
+    normal_least = config[11]
+    forgetting = config[12]
+    dead_zone = config[13]
+    settle_samples = config[14]
+    noise_variance = config[15]
+    K_low = config[16]
+    K_limit = config[17]
+    variance_limit = config[18]
+    dt_low = config[19]
+    dt_high = config[20]
+    U_least = config[21]
+    input_limit = config[22]
+    output_limit = config[23]
+    output_jump = config[24]
+    signal_limit = config[25]
+    validity_limit = config[26]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
     measured = sample[3]
-    m1_rate = state[0]
-    m2_rate = state[1]
-    m1 = state[2]
-    m2 = state[3]
-    unit = state[4]
-    star = state[5]
-    inv_direct = state[6]
-    inv_forgetting = state[7]
-    least_spread = state[8]
-    theta = state[9]
-    P = state[10]
-    mean_square = state[11]
-    weight = state[12]
-    information = state[13]
-    input_memory_0 = state[14]
-    input_memory_1 = state[15]
-    input_memory_2 = state[16]
-    input_memory_3 = state[17]
-    output_memory_0 = state[18]
-    output_memory_1 = state[19]
-    output_memory_2 = state[20]
-    output_memory_3 = state[21]
-    input_before_0 = state[22]
-    input_before_1 = state[23]
-    output_before_0 = state[24]
-    output_before_1 = state[25]
-    last_input = state[26]
-    last_measured = state[27]
-    last_U = state[28]
-    fresh = state[29]
-    started = state[30]
+    from_input = state[0]
+    from_output = state[1]
+    theta = state[2]
+    normal = state[3]
+    mean_square = state[4]
+    weight = state[5]
+    information = state[6]
+    last_input = state[7]
+    input_change = state[8]
+    input_1 = state[9]
+    input_1_change = state[10]
+    input_2 = state[11]
+    input_2_change = state[12]
+    last_measured = state[13]
+    output_change = state[14]
+    output_1 = state[15]
+    output_1_change = state[16]
+    output_2 = state[17]
+    output_2_change = state[18]
+    last_U = state[19]
+    wait = state[20]
     estimate = 0.0
+    gained = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
-    live = 0.0
+    input_step = 0.0
+    inverse = 0.0
+    output_step = 0.0
     pi3 = 0.0
     predicted = 0.0
     scale_now = 0.0
     status = 0.0
-    u_now = 0.0
-    usable = 0.0
     variance = 0.0
+    waiting = 0.0
     y_now = 0.0
-    predicted = last_measured
-    innovation = 0.0
-    if (dt < 1000000.0) and (dt > 0.0):  # time must advance
-        status = 1.0
-        usable = 1.0
-        if (U < signal_limit) and (U > (-signal_limit)) and (input < input_limit) and (input > (-input_limit)):  # a missing input or scale is held
-            u_now = input
+    waiting = wait
+    status = 1.0
+    if not ((dt < dt_high) and (dt > dt_low)):  # the sample before is elsewhere
+        if (dt < 1000000.0) and (dt > 0.0):  # time must advance
+            if waiting <= settle_samples:
+                status = 5.0
+            waiting = 1.0 + settle_samples
+        else:
+            status = 7.0
+    if status < 6.5:
+        if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(U) < signal_limit) and (abs(input) < input_limit) and (abs(measured) < output_limit):
+            input_step = input - last_input
+            last_input = input
             scale_now = U
-        else:
-            u_now = last_input
-            scale_now = last_U
-            usable = 0.0
-        if (measured < output_limit) and (measured > (-output_limit)) and (not ((((measured - last_measured) < (-output_jump)) or ((measured - last_measured) > output_jump)) and (fresh > 0.5))):  # so is an output
+            output_step = measured - last_measured
             y_now = measured
+            if waiting > 0.5:  # usable samples in a row
+                waiting = waiting - 1.0
         else:
+            input_step = 0.0
+            output_step = 0.0
+            scale_now = last_U
             y_now = last_measured
-            usable = 0.0
-        if scale_now > U_least:  # fast enough to see the dynamics
-            if (scale_now < last_U) or (scale_now > last_U):  # another scale
-                if started > 0.5:  # the same constant
-                    ratio = (last_U*last_U)/((scale_now*scale_now))  # of pi3 for the same K
-                    theta = ratio*theta
-                    P = P*(ratio*ratio)
-                last_U = scale_now
-                unit = last_U/L
-                star = L/last_U
-                m1 = last_U*m1_rate*sample_time/L  # eq 22, per physical input
-                m2 = last_U*m2_rate*sample_time*star/L  # eq 22, per physical output
-            live = 1.0
-            started = 1.0
-        else:
-            live = 0.0
-            status = 6.0
-        if (fresh > 0.5) and (not ((dt < dt_high) and (dt > dt_low))):  # the sample before is elsewhere
-            fresh = 0.0
-            status = 5.0
-        if usable > 0.5:  # usable samples in a row
-            fresh = 1.0 + (fresh if (fresh) < (settle_samples) else settle_samples)
-        else:
-            fresh = 0.0
+            if (abs(U) < signal_limit) and (abs(input) < input_limit):  # a missing input or scale is held
+                input_step = input - last_input
+                last_input = input
+                scale_now = U
+            if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(measured) < output_limit):  # so is an output
+                output_step = measured - last_measured
+                y_now = measured
+            waiting = 1.0 + settle_samples
             status = 4.0
-        phi = m1*(input_before_0 - input_before_1) + m2*(output_before_1 - output_before_0)  # regressor, eqs 25-26
-        filtered = 2.0*output_before_0 + phi*theta*unit - output_before_1  # filtered output predicted
-        rest = output_memory_2 + biquad_2_0*output_memory_0  # filtered output if the newest were zero
-        predicted = inv_direct*(filtered - rest)
-        if usable > 0.5:
-            innovation = y_now - predicted
-        input_half = input_memory_0 + biquad_1_0*u_now
-        input_memory_0 = input_memory_1 + biquad_1_1*u_now - biquad_1_3*input_half
-        input_memory_1 = biquad_1_2*u_now - biquad_1_4*input_half
-        input_filtered = input_memory_2 + biquad_2_0*input_half
-        input_memory_2 = input_memory_3 + biquad_2_1*input_half - biquad_2_3*input_filtered
-        input_memory_3 = biquad_2_2*input_half - biquad_2_4*input_filtered
-        output_half = output_memory_0 + biquad_1_0*y_now
-        output_memory_0 = output_memory_1 + biquad_1_1*y_now - biquad_1_3*output_half
-        output_memory_1 = biquad_1_2*y_now - biquad_1_4*output_half
-        output_filtered = output_memory_2 + biquad_2_0*output_half
-        output_memory_2 = output_memory_3 + biquad_2_1*output_half - biquad_2_3*output_filtered
-        output_memory_3 = biquad_2_2*output_half - biquad_2_4*output_filtered
-        y = star*(output_before_1 + output_filtered - 2.0*output_before_0)  # second difference, eq 24
-        if ((y_now < (-dead_zone)) or (y_now > dead_zone)) and (fresh > settle_samples) and (live > 0.5):  # outside the dead zone, filters settled
-            residual = y - phi*theta
-            gain = P*phi/((forgetting + P*(phi*phi)))
+        if scale_now <= U_least:  # too slow to see the dynamics
+            scale_now = last_U
+            waiting = (1.0 if (1.0) > (waiting) else waiting)
+            if status < 1.5:
+                status = 6.0
+        last_U = scale_now
+        last_measured = y_now
+        wait = waiting
+        inverse = (1.0/scale_now)
+        input_bend = input_step - input_change  # second difference
+        input_change = input_step
+        input_1_now = input_bend + input_1_change*poles_1_1 - input_1*poles_1_0
+        input_bend_1 = input_1_now - input_1_change
+        input_1 = input_1 + input_1_now
+        input_1_change = input_1_now
+        input_2_now = input_bend_1 + input_2_change*poles_2_1 - input_2*poles_2_0
+        output_bend = output_step - output_change  # second difference
+        output_change = output_step
+        output_1_now = output_bend + output_1_change*poles_1_1 - output_1*poles_1_0
+        output_bend_1 = output_1_now - output_1_change
+        output_1 = output_1 + output_1_now
+        output_1_change = output_1_now
+        output_2_now = output_bend_1 + output_2_change*poles_2_1 - output_2*poles_2_0
+        phi = from_input*input_2_change - from_output*inverse*output_2_change  # regressor, eqs 25-26
+        expected = phi*theta
+        y = output_2_now - output_2_change  # second difference, eq 24
+        residual = y - expected
+        predicted = y_now - residual  # the newest output has weight one in y
+        if (abs(y_now) > dead_zone) and (waiting < 0.5):  # outside the dead zone, filters settled
+            innovation = residual
+            gained = (expected*expected)
+            normal = normal_least + (phi*phi) + forgetting*normal
+            moved = theta + phi*residual/normal
+            if abs(moved) < K_limit:
+                theta = moved
+            else:
+                theta = (K_limit if moved > 0.0 else (-K_limit))
             weight = 1.0 + forgetting*weight
             mean_square = mean_square + ((residual*residual) - mean_square)/weight
-            spread = (mean_square if (mean_square) > (least_spread*(star*star)) else least_spread*(star*star))  # never below the sensor's share
-            information = information + (phi*phi)*(theta*theta)/spread
-            theta = theta + gain*residual
-            theta = (pi3_limit if (pi3_limit) < (theta) else theta)
-            theta = ((-pi3_limit) if ((-pi3_limit)) > (theta) else theta)
-            P = P*inv_forgetting*(1.0 - gain*phi)
-            P = (P if (P) < (P_high) else P_high)
-            P = (P if (P) > (P_low) else P_low)
             status = 0.0
-            if (last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit):
+            if abs(scale_now*y_now) > validity_limit:
                 status = 2.0
-            if theta <= pi3_low:  # no stiffness is zero or less
-                status = 3.0
-        output_before_1 = output_before_0
-        output_before_0 = output_filtered
-        input_before_1 = input_before_0
-        input_before_0 = input_filtered
-        last_input = u_now
-        last_measured = y_now
+        else:
+            gained = 0.0
+            innovation = (residual if settle_samples >= waiting else 0.0)
+            if weight < 0.5:  # nothing was learnt yet
+                theta = pi3_start*(scale_now*scale_now)
+                normal = normal_start/((L*L)*(scale_now*scale_now))
+        input_2 = input_2 + input_2_now
+        input_2_change = input_2_now
+        output_2 = output_2 + output_2_now
+        output_2_change = output_2_now
     else:
-        status = 7.0
-    pi3 = (pi3_low if (pi3_low) > (theta) else theta)
-    estimate = pi3*(last_U*last_U)
-    raw = inv_direct*unit  # raw output per dimensionless residual
-    innovation_variance = (noise_variance if (noise_variance) > (mean_square*(raw*raw)) else mean_square*(raw*raw))
+        predicted = last_measured
+        innovation = 0.0
+        gained = 0.0
+        inverse = (1.0/last_U)
+    if theta > K_low:  # no stiffness is zero or less
+        estimate = theta
+    else:
+        estimate = K_low
+        if ((status < 2.5) and (status > 1.5)) or (status < 0.5):
+            status = 3.0
+    pi3 = estimate*(inverse*inverse)
+    innovation_variance = (mean_square if (mean_square) > (noise_variance) else noise_variance)  # never below the sensor's share
+    information = information + gained/innovation_variance
+    information_gained = information
     variance = variance_limit
     if weight > 0.5:
-        scatter = P*innovation_variance/((pi3*pi3)*(raw*raw))
+        scatter = innovation_variance/((estimate*estimate)*normal)
         variance = (scatter if (scatter) < (variance_limit) else variance_limit)
-    information_gained = information
-    state[:] = [m1_rate, m2_rate, m1, m2, unit, star, inv_direct, inv_forgetting, least_spread, theta, P, mean_square, weight, information, input_memory_0, input_memory_1, input_memory_2, input_memory_3, output_memory_0, output_memory_1, output_memory_2, output_memory_3, input_before_0, input_before_1, output_before_0, output_before_1, last_input, last_measured, last_U, fresh, started]
+    state[:] = [from_input, from_output, theta, normal, mean_square, weight, information, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi3]

@@ -145,57 +145,20 @@ typedef struct bicycle_robust_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bicycle_robust_state *state)
 {
-    const bicycle_robust_real pi1 = config->pi1;
-    const bicycle_robust_real eta = config->eta;
-    const bicycle_robust_real rho = config->rho;
-    const bicycle_robust_real sample_time = config->sample_time;
-    const bicycle_robust_real corner = config->corner;
-    const bicycle_robust_real K_start = config->K_start;
-    const bicycle_robust_real variance_limit = config->variance_limit;
-    const bicycle_robust_real U_least = config->U_least;
     bicycle_robust_real *const input_stage = state->input_stage;
     bicycle_robust_real *const output_stage = state->output_stage;
     bicycle_robust_real *const A = state->A;
     bicycle_robust_real *const q = state->q;
-    bicycle_robust_real K;
-    bicycle_robust_real aged;
-    bicycle_robust_real block_age;
-    bicycle_robust_real block_score;
-    bicycle_robust_real block_weight;
-    bicycle_robust_real blocks;
-    bicycle_robust_real damping;
-    bicycle_robust_real excitation;
-    bicycle_robust_real fresh;
-    bicycle_robust_real information;
-    bicycle_robust_real input_gain;
-    bicycle_robust_real input_offset;
-    bicycle_robust_real last_U;
-    bicycle_robust_real last_input;
-    bicycle_robust_real last_measured;
-    bicycle_robust_real log_variance;
-    bicycle_robust_real mean_square;
-    bicycle_robust_real output_offset;
-    bicycle_robust_real pair_input;
-    bicycle_robust_real pair_output;
-    bicycle_robust_real scale_stage;
-    bicycle_robust_real scatter_sum;
-    bicycle_robust_real scatter_weight;
-    bicycle_robust_real stage_keep;
-    bicycle_robust_real stage_share;
-    bicycle_robust_real started;
-    bicycle_robust_real stiffness;
-    bicycle_robust_real weight;
-    bicycle_robust_real yy;
-    K = K_start;
-    input_gain = (-R(1.0)/(rho*(pi1 - R(1.0))));
-    damping = (-(eta + pi1 + rho + eta*pi1*rho - eta*pi1 - pi1*rho)/(rho*(pi1 - R(1.0))));
-    stiffness = (-(eta - R(1.0))/(rho*(pi1 - R(1.0))));
-    pair_output = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
-    pair_input = eta/(rho*((pi1 - R(1.0))*(pi1 - R(1.0))));
-    stage_keep = (R(2.0) - corner*sample_time)/((R(2.0) + corner*sample_time));
-    stage_share = corner*sample_time/((R(2.0) + corner*sample_time));
-    input_offset = R(0.0);
-    output_offset = R(0.0);
+    state->K = config->K_start;
+    state->input_gain = (-R(1.0)/(config->rho*(config->pi1 - R(1.0))));
+    state->damping = (-(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
+    state->stiffness = (-(config->eta - R(1.0))/(config->rho*(config->pi1 - R(1.0))));
+    state->pair_output = config->eta/(config->rho*((config->pi1 - R(1.0))*(config->pi1 - R(1.0))));
+    state->pair_input = config->eta/(config->rho*((config->pi1 - R(1.0))*(config->pi1 - R(1.0))));
+    state->stage_keep = (R(2.0) - config->corner*config->sample_time)/((R(2.0) + config->corner*config->sample_time));
+    state->stage_share = config->corner*config->sample_time/((R(2.0) + config->corner*config->sample_time));
+    state->input_offset = R(0.0);
+    state->output_offset = R(0.0);
     input_stage[0] = R(0.0);
     input_stage[1] = R(0.0);
     input_stage[2] = R(0.0);
@@ -206,7 +169,7 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     output_stage[2] = R(0.0);
     output_stage[3] = R(0.0);
     output_stage[4] = R(0.0);
-    scale_stage = U_least;
+    state->scale_stage = config->U_least;
     A[0] = R(0.0);
     A[1] = R(0.0);
     A[2] = R(0.0);
@@ -221,253 +184,157 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     q[1] = R(0.0);
     q[2] = R(0.0);
     q[3] = R(0.0);
-    yy = R(0.0);
-    weight = R(0.0);
-    excitation = R(0.0);
-    mean_square = R(0.0);
-    block_score = R(0.0);
-    block_weight = R(0.0);
-    block_age = R(0.0);
-    scatter_sum = R(0.0);
-    scatter_weight = R(0.0);
-    blocks = (-R(1.0));
-    log_variance = variance_limit;
-    aged = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    last_measured = R(0.0);
-    last_U = U_least;
-    fresh = R(0.0);
-    started = R(0.0);
-    state->K = K;
-    state->input_gain = input_gain;
-    state->damping = damping;
-    state->stiffness = stiffness;
-    state->pair_output = pair_output;
-    state->pair_input = pair_input;
-    state->stage_keep = stage_keep;
-    state->stage_share = stage_share;
-    state->input_offset = input_offset;
-    state->output_offset = output_offset;
-    state->scale_stage = scale_stage;
-    state->yy = yy;
-    state->weight = weight;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
+    state->yy = R(0.0);
+    state->weight = R(0.0);
+    state->excitation = R(0.0);
+    state->mean_square = R(0.0);
+    state->block_score = R(0.0);
+    state->block_weight = R(0.0);
+    state->block_age = R(0.0);
+    state->scatter_sum = R(0.0);
+    state->scatter_weight = R(0.0);
+    state->blocks = (-R(1.0));
+    state->log_variance = config->variance_limit;
+    state->aged = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->last_measured = R(0.0);
+    state->last_U = config->U_least;
+    state->fresh = R(0.0);
+    state->started = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config, bicycle_robust_state *state,
-                                     const bicycle_robust_sample *sample, bicycle_robust_output *output)
+SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restrict config,
+                                     bicycle_robust_state *restrict state,
+                                     const bicycle_robust_sample *restrict sample,
+                                     bicycle_robust_output *restrict output)
 {
-    const bicycle_robust_real L = config->L;
-    const bicycle_robust_real sample_time = config->sample_time;
-    const bicycle_robust_real corner = config->corner;
-    const bicycle_robust_real offset_rate = config->offset_rate;
-    const bicycle_robust_real forgetting = config->forgetting;
-    const bicycle_robust_real noise_variance = config->noise_variance;
-    const bicycle_robust_real noise_value = config->noise_value;
-    const bicycle_robust_real noise_rate = config->noise_rate;
-    const bicycle_robust_real noise_change = config->noise_change;
-    const bicycle_robust_real noise_value_rate = config->noise_value_rate;
-    const bicycle_robust_real noise_value_change = config->noise_value_change;
-    const bicycle_robust_real noise_rate_change = config->noise_rate_change;
-    const bicycle_robust_real signal_least = config->signal_least;
-    const bicycle_robust_real signal_least_one = config->signal_least_one;
-    const bicycle_robust_real pivot_least = config->pivot_least;
-    const bicycle_robust_real move_limit = config->move_limit;
-    const bicycle_robust_real K_start = config->K_start;
-    const bicycle_robust_real K_low = config->K_low;
-    const bicycle_robust_real K_high = config->K_high;
-    const bicycle_robust_real excitation_least = config->excitation_least;
-    const bicycle_robust_real excitation_rate = config->excitation_rate;
-    const bicycle_robust_real block = config->block;
-    const bicycle_robust_real block_keep = config->block_keep;
-    const bicycle_robust_real blocks_most = config->blocks_most;
-    const bicycle_robust_real scatter_low = config->scatter_low;
-    const bicycle_robust_real variance_limit = config->variance_limit;
-    const bicycle_robust_real idle_drift = config->idle_drift;
-    const bicycle_robust_real settle_samples = config->settle_samples;
-    const bicycle_robust_real dt_low = config->dt_low;
-    const bicycle_robust_real dt_high = config->dt_high;
-    const bicycle_robust_real U_least = config->U_least;
-    const bicycle_robust_real input_limit = config->input_limit;
-    const bicycle_robust_real output_limit = config->output_limit;
-    const bicycle_robust_real output_jump = config->output_jump;
-    const bicycle_robust_real signal_limit = config->signal_limit;
-    const bicycle_robust_real validity_limit = config->validity_limit;
-    const bicycle_robust_real dt = sample->dt;
-    const bicycle_robust_real input = sample->input;
-    const bicycle_robust_real U = sample->U;
-    const bicycle_robust_real measured = sample->measured;
     bicycle_robust_real *const input_stage = state->input_stage;
     bicycle_robust_real *const output_stage = state->output_stage;
     bicycle_robust_real *const A = state->A;
     bicycle_robust_real *const q = state->q;
-    bicycle_robust_real K = state->K;
-    bicycle_robust_real input_gain = state->input_gain;
-    bicycle_robust_real damping = state->damping;
-    bicycle_robust_real stiffness = state->stiffness;
-    bicycle_robust_real pair_output = state->pair_output;
-    bicycle_robust_real pair_input = state->pair_input;
-    bicycle_robust_real stage_keep = state->stage_keep;
-    bicycle_robust_real stage_share = state->stage_share;
-    bicycle_robust_real input_offset = state->input_offset;
-    bicycle_robust_real output_offset = state->output_offset;
-    bicycle_robust_real scale_stage = state->scale_stage;
-    bicycle_robust_real yy = state->yy;
-    bicycle_robust_real weight = state->weight;
-    bicycle_robust_real excitation = state->excitation;
-    bicycle_robust_real mean_square = state->mean_square;
-    bicycle_robust_real block_score = state->block_score;
-    bicycle_robust_real block_weight = state->block_weight;
-    bicycle_robust_real block_age = state->block_age;
-    bicycle_robust_real scatter_sum = state->scatter_sum;
-    bicycle_robust_real scatter_weight = state->scatter_weight;
-    bicycle_robust_real blocks = state->blocks;
-    bicycle_robust_real log_variance = state->log_variance;
-    bicycle_robust_real aged = state->aged;
-    bicycle_robust_real information = state->information;
-    bicycle_robust_real last_input = state->last_input;
-    bicycle_robust_real last_measured = state->last_measured;
-    bicycle_robust_real last_U = state->last_U;
-    bicycle_robust_real fresh = state->fresh;
-    bicycle_robust_real started = state->started;
-    bicycle_robust_real carried = R(0.0);
-    bicycle_robust_real edge = R(0.0);
+    int carried = 0;
+    int edge = 0;
     bicycle_robust_real estimate = R(0.0);
     bicycle_robust_real excited = R(0.0);
     bicycle_robust_real information_gained = R(0.0);
     bicycle_robust_real innovation = R(0.0);
     bicycle_robust_real innovation_variance = R(0.0);
-    bicycle_robust_real live = R(0.0);
+    int live = 0;
     bicycle_robust_real lowest = R(0.0);
     bicycle_robust_real predicted = R(0.0);
     bicycle_robust_real residual = R(0.0);
     bicycle_robust_real scale_now = R(0.0);
     bicycle_robust_real spread = R(0.0);
-    bicycle_robust_real status = R(0.0);
+    int status = 0;
     bicycle_robust_real u_now = R(0.0);
     bicycle_robust_real unknowns = R(0.0);
-    bicycle_robust_real usable = R(0.0);
+    int usable = 0;
     bicycle_robust_real variance = R(0.0);
     bicycle_robust_real y_now = R(0.0);
 
-    predicted = last_measured;
+    predicted = state->last_measured;
     innovation = R(0.0);
     unknowns = R(0.0);
-    if ((dt < R(1000000.0)) && (dt > R(0.0))) { /* time must advance */
-        status = R(1.0);
-        usable = R(1.0);
-        if ((U < signal_limit) && (U > (-signal_limit)) && (input < input_limit) && (input > (-input_limit))) { /* a missing input or scale is held */
-            u_now = input;
-            scale_now = U;
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(0.0))) { /* time must advance */
+        status = 1;
+        usable = 1;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit)) && (sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing input or scale is held */
+            u_now = sample->input;
+            scale_now = sample->U;
         } else {
-            u_now = last_input;
-            scale_now = last_U;
-            usable = R(0.0);
+            u_now = state->last_input;
+            scale_now = state->last_U;
+            usable = 0;
         }
-        if ((!((((measured - last_measured) < (-output_jump)) || ((measured - last_measured) > output_jump)) && (fresh > R(0.5)))) && (measured < output_limit) && (measured > (-output_limit))) { /* so is an output */
-            y_now = measured;
+        if ((!((((sample->measured - state->last_measured) < (-config->output_jump)) || ((sample->measured - state->last_measured) > config->output_jump)) && (state->fresh > R(0.5)))) && (sample->measured < config->output_limit) && (sample->measured > (-config->output_limit))) { /* so is an output */
+            y_now = sample->measured;
         } else {
-            y_now = last_measured;
-            usable = R(0.0);
+            y_now = state->last_measured;
+            usable = 0;
         }
-        if (scale_now > U_least) { /* fast enough to see the dynamics */
-            if ((scale_now < last_U) || (scale_now > last_U)) { /* another scale */
-                last_U = scale_now;
+        if (scale_now > config->U_least) { /* fast enough to see the dynamics */
+            if ((scale_now < state->last_U) || (scale_now > state->last_U)) { /* another scale */
+                state->last_U = scale_now;
             }
-            live = R(1.0);
-            started = R(1.0);
+            live = 1;
+            state->started = R(1.0);
         } else {
-            live = R(0.0);
-            status = R(6.0);
+            live = 0;
+            status = 6;
         }
-        if ((!((dt < dt_high) && (dt > dt_low))) && (fresh > R(0.5))) { /* the sample before is elsewhere */
-            fresh = R(0.0);
-            status = R(5.0);
+        if ((!((sample->dt < config->dt_high) && (sample->dt > config->dt_low))) && (state->fresh > R(0.5))) { /* the sample before is elsewhere */
+            state->fresh = R(0.0);
+            status = 5;
         }
-        if (usable > R(0.5)) { /* usable samples in a row */
-            fresh = R(1.0) + ((fresh) < (settle_samples) ? fresh : settle_samples);
+        if (usable > 0) { /* usable samples in a row */
+            state->fresh = R(1.0) + ((state->fresh) < (config->settle_samples) ? state->fresh : config->settle_samples);
         } else {
-            fresh = R(0.0);
-            status = R(4.0);
+            state->fresh = R(0.0);
+            status = 4;
         }
-        const bicycle_robust_real inv_L = (R(1.0)/L);
-        const bicycle_robust_real slowly = ((R(1.0)) < (dt*offset_rate) ? R(1.0) : dt*offset_rate);
-        input_offset = input_offset + slowly*(u_now - input_offset);
-        output_offset = output_offset + slowly*(y_now - output_offset);
-        const bicycle_robust_real input_0 = u_now - input_offset;
-        const bicycle_robust_real output_0 = y_now - output_offset;
-        const bicycle_robust_real input_1 = input_stage[1]*stage_keep + stage_share*(input_0 + input_stage[0]);
+        const bicycle_robust_real inv_L = (R(1.0)/config->L);
+        const bicycle_robust_real slowly = ((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
+        state->input_offset = state->input_offset + slowly*(u_now - state->input_offset);
+        state->output_offset = state->output_offset + slowly*(y_now - state->output_offset);
+        const bicycle_robust_real input_0 = u_now - state->input_offset;
+        const bicycle_robust_real output_0 = y_now - state->output_offset;
+        const bicycle_robust_real input_1 = input_stage[1]*state->stage_keep + state->stage_share*(input_0 + input_stage[0]);
         input_stage[0] = input_0;
-        const bicycle_robust_real input_2 = input_stage[2]*stage_keep + stage_share*(input_1 + input_stage[1]);
+        const bicycle_robust_real input_2 = input_stage[2]*state->stage_keep + state->stage_share*(input_1 + input_stage[1]);
         input_stage[1] = input_1;
-        const bicycle_robust_real input_3 = input_stage[3]*stage_keep + stage_share*(input_2 + input_stage[2]);
+        const bicycle_robust_real input_3 = input_stage[3]*state->stage_keep + state->stage_share*(input_2 + input_stage[2]);
         input_stage[2] = input_2;
-        const bicycle_robust_real input_4 = input_stage[4]*stage_keep + stage_share*(input_3 + input_stage[3]);
+        const bicycle_robust_real input_4 = input_stage[4]*state->stage_keep + state->stage_share*(input_3 + input_stage[3]);
         input_stage[3] = input_3;
         input_stage[4] = input_4;
-        const bicycle_robust_real output_1 = output_stage[1]*stage_keep + stage_share*(output_0 + output_stage[0]);
+        const bicycle_robust_real output_1 = output_stage[1]*state->stage_keep + state->stage_share*(output_0 + output_stage[0]);
         output_stage[0] = output_0;
-        const bicycle_robust_real output_2 = output_stage[2]*stage_keep + stage_share*(output_1 + output_stage[1]);
+        const bicycle_robust_real output_2 = output_stage[2]*state->stage_keep + state->stage_share*(output_1 + output_stage[1]);
         output_stage[1] = output_1;
-        const bicycle_robust_real output_3 = output_stage[3]*stage_keep + stage_share*(output_2 + output_stage[2]);
+        const bicycle_robust_real output_3 = output_stage[3]*state->stage_keep + state->stage_share*(output_2 + output_stage[2]);
         output_stage[2] = output_2;
-        const bicycle_robust_real output_4 = output_stage[4]*stage_keep + stage_share*(output_3 + output_stage[3]);
+        const bicycle_robust_real output_4 = output_stage[4]*state->stage_keep + state->stage_share*(output_3 + output_stage[3]);
         output_stage[3] = output_3;
         output_stage[4] = output_4;
-        scale_stage = (fresh > settle_samples ? scale_stage + R(0.25)*corner*sample_time*(last_U - scale_stage) : last_U); /* as late as the filtered signals */
-        const bicycle_robust_real late = (R(1.0)/scale_stage);
-        const bicycle_robust_real to_input = input_gain*(inv_L*inv_L);
-        const bicycle_robust_real to_rate = damping*inv_L*late;
+        state->scale_stage = (state->fresh > config->settle_samples ? state->scale_stage + R(0.25)*config->corner*config->sample_time*(state->last_U - state->scale_stage) : state->last_U); /* as late as the filtered signals */
+        const bicycle_robust_real late = (R(1.0)/state->scale_stage);
+        const bicycle_robust_real to_input = state->input_gain*(inv_L*inv_L);
+        const bicycle_robust_real to_rate = state->damping*inv_L*late;
         const bicycle_robust_real to_output = (inv_L*inv_L);
-        const bicycle_robust_real to_pair = pair_output*(inv_L*inv_L)*(late*late);
-        const bicycle_robust_real psi_1 = corner*to_input*(input_3 - input_4);
-        const bicycle_robust_real psi_2 = (-corner*to_rate*(output_3 - output_4));
+        const bicycle_robust_real to_pair = state->pair_output*(inv_L*inv_L)*(late*late);
+        const bicycle_robust_real psi_1 = config->corner*to_input*(input_3 - input_4);
+        const bicycle_robust_real psi_2 = (-config->corner*to_rate*(output_3 - output_4));
         const bicycle_robust_real psi_3 = (-output_4*to_output);
-        const bicycle_robust_real psi_4 = input_4*late*pair_input*(inv_L*inv_L*inv_L) - output_4*to_pair;
-        const bicycle_robust_real y = (corner*corner)*(output_2 + output_4 - R(2.0)*output_3); /* second derivative */
-        carried = R(0.0);
-        const bicycle_robust_real drive = K*psi_1; /* what the input alone does to the regression */
-        excitation = excitation + ((drive*drive) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-        excited = (excitation > excitation_least ? R(1.0) : R(0.0));
-        const bicycle_robust_real together = (K*psi_1 + K*psi_2) + (psi_4*(K*K) + K*psi_3*stiffness); /* of the car with this K */
+        const bicycle_robust_real psi_4 = input_4*late*state->pair_input*(inv_L*inv_L*inv_L) - output_4*to_pair;
+        const bicycle_robust_real y = (config->corner*config->corner)*(output_2 + output_4 - R(2.0)*output_3); /* second derivative */
+        carried = 0;
+        const bicycle_robust_real drive = state->K*psi_1; /* what the input alone does to the regression */
+        state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+        excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
+        const bicycle_robust_real together = (state->K*psi_1 + state->K*psi_2) + (psi_4*(state->K*state->K) + state->K*psi_3*state->stiffness); /* of the car with this K */
         residual = y - together;
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* the steer moves, the filters have settled */
-            weight = R(1.0) + forgetting*weight;
-            A[0] = (psi_2*psi_2) + A[0]*forgetting - noise_rate*noise_variance*(to_rate*to_rate);
-            A[1] = A[1]*forgetting + psi_2*psi_3 - noise_value_rate*noise_variance*to_output*to_rate;
-            A[2] = A[2]*forgetting + psi_2*psi_4 - noise_value_rate*noise_variance*to_pair*to_rate;
-            A[3] = A[3]*forgetting + psi_1*psi_2;
-            A[4] = (psi_3*psi_3) + A[4]*forgetting - noise_value*noise_variance*(to_output*to_output);
-            A[5] = A[5]*forgetting + psi_3*psi_4 - noise_value*noise_variance*to_output*to_pair;
-            A[6] = A[6]*forgetting + psi_1*psi_3;
-            A[7] = (psi_4*psi_4) + A[7]*forgetting - noise_value*noise_variance*(to_pair*to_pair);
-            A[8] = A[8]*forgetting + psi_1*psi_4;
-            A[9] = (psi_1*psi_1) + A[9]*forgetting;
-            q[0] = forgetting*q[0] + psi_2*y + noise_rate_change*noise_variance*to_rate;
-            q[1] = forgetting*q[1] + psi_3*y + noise_value_change*noise_variance*to_output;
-            q[2] = forgetting*q[2] + psi_4*y + noise_value_change*noise_variance*to_pair;
-            q[3] = forgetting*q[3] + psi_1*y;
-            yy = (y*y) + forgetting*yy - noise_change*noise_variance;
-            const bicycle_robust_real noise_sum = noise_variance*weight; /* the noise's share of the sums */
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the steer moves, the filters have settled */
+            state->weight = R(1.0) + config->forgetting*state->weight;
+            A[0] = (psi_2*psi_2) + A[0]*config->forgetting - config->noise_rate*config->noise_variance*(to_rate*to_rate);
+            A[1] = A[1]*config->forgetting + psi_2*psi_3 - config->noise_value_rate*config->noise_variance*to_output*to_rate;
+            A[2] = A[2]*config->forgetting + psi_2*psi_4 - config->noise_value_rate*config->noise_variance*to_pair*to_rate;
+            A[3] = A[3]*config->forgetting + psi_1*psi_2;
+            A[4] = (psi_3*psi_3) + A[4]*config->forgetting - config->noise_value*config->noise_variance*(to_output*to_output);
+            A[5] = A[5]*config->forgetting + psi_3*psi_4 - config->noise_value*config->noise_variance*to_output*to_pair;
+            A[6] = A[6]*config->forgetting + psi_1*psi_3;
+            A[7] = (psi_4*psi_4) + A[7]*config->forgetting - config->noise_value*config->noise_variance*(to_pair*to_pair);
+            A[8] = A[8]*config->forgetting + psi_1*psi_4;
+            A[9] = (psi_1*psi_1) + A[9]*config->forgetting;
+            q[0] = config->forgetting*q[0] + psi_2*y + config->noise_rate_change*config->noise_variance*to_rate;
+            q[1] = config->forgetting*q[1] + psi_3*y + config->noise_value_change*config->noise_variance*to_output;
+            q[2] = config->forgetting*q[2] + psi_4*y + config->noise_value_change*config->noise_variance*to_pair;
+            q[3] = config->forgetting*q[3] + psi_1*y;
+            state->yy = (y*y) + config->forgetting*state->yy - config->noise_change*config->noise_variance;
+            const bicycle_robust_real noise_sum = config->noise_variance*state->weight; /* the noise's share of the sums */
             const bicycle_robust_real d_0 = A[0];
-            if (d_0 > ((A[0]*pivot_least) > (noise_rate*noise_sum*signal_least*(to_rate*to_rate)) ? A[0]*pivot_least : noise_rate*noise_sum*signal_least*(to_rate*to_rate))) {
+            if (d_0 > ((A[0]*config->pivot_least) > (config->noise_rate*noise_sum*config->signal_least*(to_rate*to_rate)) ? A[0]*config->pivot_least : config->noise_rate*noise_sum*config->signal_least*(to_rate*to_rate))) {
                 const bicycle_robust_real inv_d_0 = (R(1.0)/d_0);
                 const bicycle_robust_real z_0 = q[0];
                 const bicycle_robust_real w_0 = psi_2;
@@ -475,7 +342,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                 const bicycle_robust_real u_10 = A[1];
                 const bicycle_robust_real l_10 = inv_d_0*u_10;
                 const bicycle_robust_real d_1 = A[4] - l_10*u_10;
-                if (d_1 > ((A[4]*pivot_least) > (noise_sum*noise_value*signal_least*(to_output*to_output)) ? A[4]*pivot_least : noise_sum*noise_value*signal_least*(to_output*to_output))) {
+                if (d_1 > ((A[4]*config->pivot_least) > (noise_sum*config->noise_value*config->signal_least*(to_output*to_output)) ? A[4]*config->pivot_least : noise_sum*config->noise_value*config->signal_least*(to_output*to_output))) {
                     const bicycle_robust_real inv_d_1 = (R(1.0)/d_1);
                     const bicycle_robust_real z_1 = q[1] - l_10*z_0;
                     const bicycle_robust_real w_1 = psi_3 - l_10*w_0;
@@ -485,7 +352,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                     const bicycle_robust_real u_21 = A[5] - l_20*u_10;
                     const bicycle_robust_real l_21 = inv_d_1*u_21;
                     const bicycle_robust_real d_2 = A[7] - l_20*u_20 - l_21*u_21;
-                    if (d_2 > ((A[7]*pivot_least) > (noise_sum*noise_value*signal_least*(to_pair*to_pair)) ? A[7]*pivot_least : noise_sum*noise_value*signal_least*(to_pair*to_pair))) {
+                    if (d_2 > ((A[7]*config->pivot_least) > (noise_sum*config->noise_value*config->signal_least*(to_pair*to_pair)) ? A[7]*config->pivot_least : noise_sum*config->noise_value*config->signal_least*(to_pair*to_pair))) {
                         const bicycle_robust_real inv_d_2 = (R(1.0)/d_2);
                         const bicycle_robust_real z_2 = q[2] - l_20*z_0 - l_21*z_1;
                         const bicycle_robust_real w_2 = psi_4 - l_20*w_0 - l_21*w_1;
@@ -497,171 +364,149 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                         const bicycle_robust_real u_32 = A[8] - l_30*u_20 - l_31*u_21;
                         const bicycle_robust_real l_32 = inv_d_2*u_32;
                         const bicycle_robust_real d_3 = A[9] - l_30*u_30 - l_31*u_31 - l_32*u_32;
-                        if (d_3 > ((R(0.0)) > (A[9]*pivot_least) ? R(0.0) : A[9]*pivot_least)) { /* every unknown is carried */
+                        if (d_3 > ((R(0.0)) > (A[9]*config->pivot_least) ? R(0.0) : A[9]*config->pivot_least)) { /* every unknown is carried */
                             const bicycle_robust_real inv_d_3 = (R(1.0)/d_3);
                             const bicycle_robust_real z_3 = q[3] - l_30*z_0 - l_31*z_1 - l_32*z_2;
                             const bicycle_robust_real w_3 = psi_1 - l_30*w_0 - l_31*w_1 - l_32*w_2;
                             const bicycle_robust_real part_3 = inv_d_3*w_3*z_3;
-                            K = inv_d_3*z_3;
-                            edge = R(0.0);
-                            if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
-                                K = ((K) > (K_low) ? K : K_low);
-                                K = ((K) < (K_high) ? K : K_high);
-                                edge = R(1.0);
+                            state->K = inv_d_3*z_3;
+                            edge = 0;
+                            if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
+                                state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
+                                state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
+                                edge = 1;
                             }
-                            carried = R(4.0);
+                            carried = 4;
                             unknowns = R(4.0);
                             residual = y - part_0 - part_1 - part_2 - part_3;
-                            block_score = block_score + residual*w_3;
-                            block_weight = block_weight + (w_3*w_3);
-                            block_age = block_age + dt;
-                            if (block_age >= block) { /* the block is full */
-                                const bicycle_robust_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
-                                scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
-                                scatter_weight = counted*(block_weight + block_keep*scatter_weight);
-                                blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
-                                block_score = R(0.0);
-                                block_weight = R(0.0);
-                                block_age = R(0.0);
+                            state->block_score = state->block_score + residual*w_3;
+                            state->block_weight = state->block_weight + (w_3*w_3);
+                            state->block_age = state->block_age + sample->dt;
+                            if (state->block_age >= config->block) { /* the block is full */
+                                const bicycle_robust_real counted = (state->blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                                state->scatter_sum = counted*((state->block_score*state->block_score) + config->block_keep*state->scatter_sum);
+                                state->scatter_weight = counted*(state->block_weight + config->block_keep*state->scatter_weight);
+                                state->blocks = ((config->blocks_most) < (R(1.0) + state->blocks) ? config->blocks_most : R(1.0) + state->blocks);
+                                state->block_score = R(0.0);
+                                state->block_weight = R(0.0);
+                                state->block_age = R(0.0);
                             }
-                            if ((blocks > R(2.5)) && (d_3 > R(0.0)) && (scatter_weight > R(0.0))) { /* enough blocks */
-                                spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
-                                log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/((K*K)*d_3)) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/((K*K)*d_3));
-                                const bicycle_robust_real told = (K*K)*(w_3*w_3)/spread; /* by this sample */
-                                information = information + told;
+                            if ((d_3 > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                                spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
+                                state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3));
+                                const bicycle_robust_real told = (state->K*state->K)*(w_3*w_3)/spread; /* by this sample */
+                                state->information = state->information + told;
                             }
-                            status = R(0.0);
-                            if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
-                                status = R(2.0);
+                            status = 0;
+                            if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
+                                status = 2;
                             }
-                            if (edge > R(0.5)) { /* the population's edge */
-                                status = R(3.0);
+                            if (edge > 0) { /* the population's edge */
+                                status = 3;
                             }
                         }
                     }
                 }
             }
-            if (carried < R(0.5)) { /* the steer says less */
-                const bicycle_robust_real c2 = (A[0] + R(2.0)*A[3] + A[9]) + (R(2.0)*A[1]*stiffness + A[4]*(stiffness*stiffness) + R(2.0)*A[6]*stiffness);
-                const bicycle_robust_real c3 = A[2] + A[8] + A[5]*stiffness;
+            if (carried < 1) { /* the steer says less */
+                const bicycle_robust_real c2 = (A[0] + R(2.0)*A[3] + A[9]) + (R(2.0)*A[1]*state->stiffness + A[4]*(state->stiffness*state->stiffness) + R(2.0)*A[6]*state->stiffness);
+                const bicycle_robust_real c3 = A[2] + A[8] + A[5]*state->stiffness;
                 const bicycle_robust_real c4 = A[7];
-                const bicycle_robust_real d1 = q[0] + q[3] + q[1]*stiffness;
+                const bicycle_robust_real d1 = q[0] + q[3] + q[1]*state->stiffness;
                 const bicycle_robust_real d2 = q[2];
-                lowest = yy + K*(K*(c2 + K*(R(2.0)*c3 + K*c4) - R(2.0)*d2) - R(2.0)*d1);
-                const bicycle_robust_real place_0 = R(0.5)*K_start;
-                const bicycle_robust_real cost_0 = yy + place_0*(place_0*(c2 + place_0*(R(2.0)*c3 + c4*place_0) - R(2.0)*d2) - R(2.0)*d1);
-                if (cost_0*(K*K) < lowest*(place_0*place_0)) { /* another valley */
-                    K = place_0;
+                lowest = state->yy + state->K*(state->K*(c2 + state->K*(R(2.0)*c3 + state->K*c4) - R(2.0)*d2) - R(2.0)*d1);
+                const bicycle_robust_real place_0 = R(0.5)*config->K_start;
+                const bicycle_robust_real cost_0 = state->yy + place_0*(place_0*(c2 + place_0*(R(2.0)*c3 + c4*place_0) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_0*(state->K*state->K) < lowest*(place_0*place_0)) { /* another valley */
+                    state->K = place_0;
                     lowest = cost_0;
                 }
-                const bicycle_robust_real place_1 = R(0.7)*K_start;
-                const bicycle_robust_real cost_1 = yy + place_1*(place_1*(c2 + place_1*(R(2.0)*c3 + c4*place_1) - R(2.0)*d2) - R(2.0)*d1);
-                if (cost_1*(K*K) < lowest*(place_1*place_1)) {
-                    K = place_1;
+                const bicycle_robust_real place_1 = R(0.7)*config->K_start;
+                const bicycle_robust_real cost_1 = state->yy + place_1*(place_1*(c2 + place_1*(R(2.0)*c3 + c4*place_1) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_1*(state->K*state->K) < lowest*(place_1*place_1)) {
+                    state->K = place_1;
                     lowest = cost_1;
                 }
-                const bicycle_robust_real place_2 = K_start;
-                const bicycle_robust_real cost_2 = yy + place_2*(place_2*(c2 + place_2*(R(2.0)*c3 + c4*place_2) - R(2.0)*d2) - R(2.0)*d1);
-                if (cost_2*(K*K) < lowest*(place_2*place_2)) {
-                    K = place_2;
+                const bicycle_robust_real place_2 = config->K_start;
+                const bicycle_robust_real cost_2 = state->yy + place_2*(place_2*(c2 + place_2*(R(2.0)*c3 + c4*place_2) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_2*(state->K*state->K) < lowest*(place_2*place_2)) {
+                    state->K = place_2;
                     lowest = cost_2;
                 }
-                const bicycle_robust_real place_3 = R(1.4)*K_start;
-                const bicycle_robust_real cost_3 = yy + place_3*(place_3*(c2 + place_3*(R(2.0)*c3 + c4*place_3) - R(2.0)*d2) - R(2.0)*d1);
-                if (cost_3*(K*K) < lowest*(place_3*place_3)) {
-                    K = place_3;
+                const bicycle_robust_real place_3 = R(1.4)*config->K_start;
+                const bicycle_robust_real cost_3 = state->yy + place_3*(place_3*(c2 + place_3*(R(2.0)*c3 + c4*place_3) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_3*(state->K*state->K) < lowest*(place_3*place_3)) {
+                    state->K = place_3;
                     lowest = cost_3;
                 }
-                const bicycle_robust_real place_4 = R(2.0)*K_start;
-                const bicycle_robust_real cost_4 = yy + place_4*(place_4*(c2 + place_4*(R(2.0)*c3 + c4*place_4) - R(2.0)*d2) - R(2.0)*d1);
-                if (cost_4*(K*K) < lowest*(place_4*place_4)) {
-                    K = place_4;
+                const bicycle_robust_real place_4 = R(2.0)*config->K_start;
+                const bicycle_robust_real cost_4 = state->yy + place_4*(place_4*(c2 + place_4*(R(2.0)*c3 + c4*place_4) - R(2.0)*d2) - R(2.0)*d1);
+                if (cost_4*(state->K*state->K) < lowest*(place_4*place_4)) {
+                    state->K = place_4;
                     lowest = cost_4;
                 }
-                const bicycle_robust_real slow = R(2.0)*K*to_pair + stiffness*to_output;
-                const bicycle_robust_real noise_along = noise_value*(slow*slow) + to_rate*(noise_rate*to_rate + R(2.0)*noise_value_rate*slow);
-                const bicycle_robust_real psi = (psi_1 + psi_2) + (R(2.0)*K*psi_4 + psi_3*stiffness);
-                const bicycle_robust_real normal = c2 + R(4.0)*K*(c3 + K*c4);
-                const bicycle_robust_real wanted = d1 - K*(c2 + K*(R(3.0)*c3 + R(2.0)*K*c4) - R(2.0)*d2);
-                if ((normal > R(0.0)) && (normal > noise_along*noise_sum*signal_least_one)) { /* more than noise */
-                    K = K + (((-K*move_limit)) > (((K*move_limit) < (wanted/normal) ? K*move_limit : wanted/normal)) ? (-K*move_limit) : ((K*move_limit) < (wanted/normal) ? K*move_limit : wanted/normal));
-                    edge = R(0.0);
-                    if ((K < K_low) || (K > K_high)) { /* no car is softer or stiffer */
-                        K = ((K) > (K_low) ? K : K_low);
-                        K = ((K) < (K_high) ? K : K_high);
-                        edge = R(1.0);
+                const bicycle_robust_real slow = R(2.0)*state->K*to_pair + state->stiffness*to_output;
+                const bicycle_robust_real noise_along = config->noise_value*(slow*slow) + to_rate*(config->noise_rate*to_rate + R(2.0)*config->noise_value_rate*slow);
+                const bicycle_robust_real psi = (psi_1 + psi_2) + (R(2.0)*state->K*psi_4 + psi_3*state->stiffness);
+                const bicycle_robust_real normal = c2 + R(4.0)*state->K*(c3 + state->K*c4);
+                const bicycle_robust_real wanted = d1 - state->K*(c2 + state->K*(R(3.0)*c3 + R(2.0)*state->K*c4) - R(2.0)*d2);
+                if ((normal > R(0.0)) && (normal > noise_along*noise_sum*config->signal_least_one)) { /* more than noise */
+                    state->K = state->K + (((-state->K*config->move_limit)) > (((state->K*config->move_limit) < (wanted/normal) ? state->K*config->move_limit : wanted/normal)) ? (-state->K*config->move_limit) : ((state->K*config->move_limit) < (wanted/normal) ? state->K*config->move_limit : wanted/normal));
+                    edge = 0;
+                    if ((state->K < config->K_low) || (state->K > config->K_high)) { /* no car is softer or stiffer */
+                        state->K = ((state->K) > (config->K_low) ? state->K : config->K_low);
+                        state->K = ((state->K) < (config->K_high) ? state->K : config->K_high);
+                        edge = 1;
                     }
                     unknowns = R(1.0);
-                    block_score = block_score + psi*residual;
-                    block_weight = block_weight + (psi*psi);
-                    block_age = block_age + dt;
-                    if (block_age >= block) { /* the block is full */
-                        const bicycle_robust_real counted = (blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
-                        scatter_sum = counted*((block_score*block_score) + block_keep*scatter_sum);
-                        scatter_weight = counted*(block_weight + block_keep*scatter_weight);
-                        blocks = ((blocks_most) < (R(1.0) + blocks) ? blocks_most : R(1.0) + blocks);
-                        block_score = R(0.0);
-                        block_weight = R(0.0);
-                        block_age = R(0.0);
+                    state->block_score = state->block_score + psi*residual;
+                    state->block_weight = state->block_weight + (psi*psi);
+                    state->block_age = state->block_age + sample->dt;
+                    if (state->block_age >= config->block) { /* the block is full */
+                        const bicycle_robust_real counted = (state->blocks > (-R(0.5)) ? R(1.0) : R(0.0)); /* not the first */
+                        state->scatter_sum = counted*((state->block_score*state->block_score) + config->block_keep*state->scatter_sum);
+                        state->scatter_weight = counted*(state->block_weight + config->block_keep*state->scatter_weight);
+                        state->blocks = ((config->blocks_most) < (R(1.0) + state->blocks) ? config->blocks_most : R(1.0) + state->blocks);
+                        state->block_score = R(0.0);
+                        state->block_weight = R(0.0);
+                        state->block_age = R(0.0);
                     }
-                    if ((blocks > R(2.5)) && (normal > R(0.0)) && (scatter_weight > R(0.0))) { /* enough blocks */
-                        spread = ((scatter_low) > (scatter_sum/scatter_weight) ? scatter_low : scatter_sum/scatter_weight); /* variance of the residual as felt */
-                        log_variance = ((variance_limit) < (spread*(R(1.0) + R(5.0)/blocks)/((K*K)*normal)) ? variance_limit : spread*(R(1.0) + R(5.0)/blocks)/((K*K)*normal));
-                        const bicycle_robust_real told = (K*K)*(psi*psi)/spread; /* by this sample */
-                        information = information + told;
+                    if ((normal > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                        spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
+                        state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal));
+                        const bicycle_robust_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */
+                        state->information = state->information + told;
                     }
-                    status = R(0.0);
-                    if ((last_U*last_U)*(y_now*y_now) > (validity_limit*validity_limit)) {
-                        status = R(2.0);
+                    status = 0;
+                    if ((state->last_U*state->last_U)*(y_now*y_now) > (config->validity_limit*config->validity_limit)) {
+                        status = 2;
                     }
-                    if (edge > R(0.5)) { /* the population's edge */
-                        status = R(3.0);
+                    if (edge > 0) { /* the population's edge */
+                        status = 3;
                     }
                 }
             }
         }
-        innovation = (usable > R(0.5) ? residual/corner : R(0.0));
+        innovation = (usable > 0 ? residual/config->corner : R(0.0));
         predicted = y_now - innovation;
-        if ((excited > R(0.5)) && (fresh > settle_samples) && (live > R(0.5))) { /* unseen, K may change */
-            aged = aged*forgetting;
+        if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* unseen, K may change */
+            state->aged = state->aged*config->forgetting;
         } else {
-            aged = ((variance_limit) < (aged + dt*idle_drift) ? variance_limit : aged + dt*idle_drift);
+            state->aged = ((config->variance_limit) < (state->aged + sample->dt*config->idle_drift) ? config->variance_limit : state->aged + sample->dt*config->idle_drift);
         }
-        if (usable > R(0.5)) {
-            mean_square = mean_square + ((innovation*innovation) - mean_square)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
+        if (usable > 0) {
+            state->mean_square = state->mean_square + ((innovation*innovation) - state->mean_square)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         }
-        last_input = u_now;
-        last_measured = y_now;
+        state->last_input = u_now;
+        state->last_measured = y_now;
     } else {
-        status = R(7.0);
+        status = 7;
     }
-    innovation_variance = ((mean_square) > (scatter_low) ? mean_square : scatter_low);
-    estimate = K;
-    variance = ((variance_limit) < (aged + log_variance) ? variance_limit : aged + log_variance);
-    information_gained = information;
+    innovation_variance = ((state->mean_square) > (config->scatter_low) ? state->mean_square : config->scatter_low);
+    estimate = state->K;
+    variance = ((config->variance_limit) < (state->aged + state->log_variance) ? config->variance_limit : state->aged + state->log_variance);
+    information_gained = state->information;
 
-    state->K = K;
-    state->input_offset = input_offset;
-    state->output_offset = output_offset;
-    state->scale_stage = scale_stage;
-    state->yy = yy;
-    state->weight = weight;
-    state->excitation = excitation;
-    state->mean_square = mean_square;
-    state->block_score = block_score;
-    state->block_weight = block_weight;
-    state->block_age = block_age;
-    state->scatter_sum = scatter_sum;
-    state->scatter_weight = scatter_weight;
-    state->blocks = blocks;
-    state->log_variance = log_variance;
-    state->aged = aged;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_measured = last_measured;
-    state->last_U = last_U;
-    state->fresh = fresh;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
@@ -669,7 +514,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
     output->unknowns = unknowns;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 876 at most, 5 at least (arithmetic, comparisons, selects), init 5.
- * Memory: state 60 reals, configuration 60 reals; no heap, no globals, no libm, C99.
+ * Operations: step 932 at most, 5 at least (arithmetic, comparisons, selects), init 5.
+ * Memory: state 62 reals, configuration 65 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -88,6 +88,11 @@ typedef struct bicycle_small_population_config {
     bicycle_small_population_real surprise_rate;     /* [1/s] averaging rate of the normalised innovation */
     bicycle_small_population_real jump_ratio;        /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_small_population_real surprise_limit;    /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_small_population_real score_rate;        /* [1/s] rate at which the score of the first unknown is forgotten */
+    bicycle_small_population_real score_enough;      /* [-] squared score over its variance that speaks of a jump */
+    bicycle_small_population_real score_most;        /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_small_population_real faint_drift;       /* [1/s] further diffusion of ln K while a jump could not show */
+    bicycle_small_population_real inv_telling;       /* [-] 1/information of late in which a jump shows */
     bicycle_small_population_real observed_least;    /* [-] least share of the disturbance taken as observed */
     bicycle_small_population_real outlier_ratio;     /* [-] squared innovation over its variance beyond which it is bounded */
     bicycle_small_population_real gap;               /* [s] longest time without a usable sample before a restart */
@@ -115,6 +120,8 @@ typedef struct bicycle_small_population_state {
     bicycle_small_population_real restlessness;      /* [-] long-run mean square of the surprise beyond one */
     bicycle_small_population_real jump;              /* [-] surprise taken as a jump of the first unknown */
     bicycle_small_population_real surprise;          /* [-] recent mean of the normalised innovation squared */
+    bicycle_small_population_real score;             /* [-] recent slope of the log likelihood along the first unknown */
+    bicycle_small_population_real heard;             /* [-] recent information about the first unknown */
     bicycle_small_population_real excitation;        /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_small_population_real excited;           /* [-] 1 while the input excites the first unknown, else 0 */
     bicycle_small_population_real unlearnt;          /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -145,58 +152,15 @@ typedef struct bicycle_small_population_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population_config *config, bicycle_small_population_state *state)
 {
-    const bicycle_small_population_real K_prior = config->K_prior;
-    const bicycle_small_population_real pi1_prior = config->pi1_prior;
-    const bicycle_small_population_real eta_prior = config->eta_prior;
-    const bicycle_small_population_real rho_prior = config->rho_prior;
-    const bicycle_small_population_real P_prior_0 = config->P_prior[0];
-    const bicycle_small_population_real P_prior_1 = config->P_prior[1];
-    const bicycle_small_population_real P_prior_2 = config->P_prior[2];
-    const bicycle_small_population_real P_prior_3 = config->P_prior[3];
-    const bicycle_small_population_real P_prior_4 = config->P_prior[4];
-    const bicycle_small_population_real P_prior_5 = config->P_prior[5];
-    const bicycle_small_population_real P_prior_6 = config->P_prior[6];
-    const bicycle_small_population_real P_prior_7 = config->P_prior[7];
-    const bicycle_small_population_real P_prior_8 = config->P_prior[8];
-    const bicycle_small_population_real P_prior_9 = config->P_prior[9];
-    const bicycle_small_population_real output_bias_sd = config->output_bias_sd;
-    const bicycle_small_population_real v_star_sd = config->v_star_sd;
-    const bicycle_small_population_real r_star_sd = config->r_star_sd;
-    const bicycle_small_population_real disturbance_floor = config->disturbance_floor;
-    const bicycle_small_population_real disturbance_scale_start = config->disturbance_scale_start;
     bicycle_small_population_real *const P = state->P;
-    bicycle_small_population_real K;
-    bicycle_small_population_real activity;
-    bicycle_small_population_real age;
-    bicycle_small_population_real disturbance;
-    bicycle_small_population_real disturbance_scale;
-    bicycle_small_population_real eta;
-    bicycle_small_population_real excitation;
-    bicycle_small_population_real excited;
-    bicycle_small_population_real information;
-    bicycle_small_population_real jump;
-    bicycle_small_population_real last_U;
-    bicycle_small_population_real last_input;
-    bicycle_small_population_real noise_scale;
-    bicycle_small_population_real output_bias;
-    bicycle_small_population_real pi1;
-    bicycle_small_population_real r_star;
-    bicycle_small_population_real restlessness;
-    bicycle_small_population_real rho;
-    bicycle_small_population_real settling;
-    bicycle_small_population_real started;
-    bicycle_small_population_real surprise;
-    bicycle_small_population_real unlearnt;
-    bicycle_small_population_real v_star;
-    bicycle_small_population_real validity;
-    v_star = R(0.0);
-    r_star = R(0.0);
-    disturbance = R(0.0);
-    K = K_prior;
-    pi1 = pi1_prior;
-    eta = eta_prior;
-    rho = rho_prior;
-    output_bias = R(0.0);
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->disturbance = R(0.0);
+    state->K = config->K_prior;
+    state->pi1 = config->pi1_prior;
+    state->eta = config->eta_prior;
+    state->rho = config->rho_prior;
+    state->output_bias = R(0.0);
     P[0] = R(0.0);
     P[1] = R(0.0);
     P[2] = R(0.0);
@@ -233,142 +197,49 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     P[33] = R(0.0);
     P[34] = R(0.0);
     P[35] = R(0.0);
-    P[0] = (v_star_sd*v_star_sd);
-    P[8] = (r_star_sd*r_star_sd);
-    P[35] = (output_bias_sd*output_bias_sd);
-    P[21] = P_prior_0;
-    P[22] = P_prior_1;
-    P[23] = P_prior_2;
-    P[24] = P_prior_3;
-    P[26] = P_prior_4;
-    P[27] = P_prior_5;
-    P[28] = P_prior_6;
-    P[30] = P_prior_7;
-    P[31] = P_prior_8;
-    P[33] = P_prior_9;
-    noise_scale = R(1.0);
-    surprise = R(1.0);
-    settling = R(1.0);
-    disturbance_scale = disturbance_scale_start;
-    P[15] = disturbance_scale*(disturbance_floor*disturbance_floor);
-    restlessness = R(0.0);
-    jump = R(0.0);
-    activity = R(0.0);
-    excitation = R(0.0);
-    excited = R(0.0);
-    unlearnt = R(0.0);
-    validity = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    age = R(0.0);
-    started = R(0.0);
-    last_U = R(0.0);
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->output_bias = output_bias;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
+    P[0] = (config->v_star_sd*config->v_star_sd);
+    P[8] = (config->r_star_sd*config->r_star_sd);
+    P[35] = (config->output_bias_sd*config->output_bias_sd);
+    P[21] = config->P_prior[0];
+    P[22] = config->P_prior[1];
+    P[23] = config->P_prior[2];
+    P[24] = config->P_prior[3];
+    P[26] = config->P_prior[4];
+    P[27] = config->P_prior[5];
+    P[28] = config->P_prior[6];
+    P[30] = config->P_prior[7];
+    P[31] = config->P_prior[8];
+    P[33] = config->P_prior[9];
+    state->noise_scale = R(1.0);
+    state->surprise = R(1.0);
+    state->settling = R(1.0);
+    state->disturbance_scale = config->disturbance_scale_start;
+    P[15] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    state->restlessness = R(0.0);
+    state->jump = R(0.0);
+    state->score = R(0.0);
+    state->heard = R(0.0);
+    state->activity = R(0.0);
+    state->excitation = R(0.0);
+    state->excited = R(0.0);
+    state->unlearnt = R(0.0);
+    state->validity = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->age = R(0.0);
+    state->started = R(0.0);
+    state->last_U = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_population_config *config, bicycle_small_population_state *state,
-                                     const bicycle_small_population_sample *sample, bicycle_small_population_output *output)
+SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_population_config *restrict config,
+                                     bicycle_small_population_state *restrict state,
+                                     const bicycle_small_population_sample *restrict sample,
+                                     bicycle_small_population_output *restrict output)
 {
-    const bicycle_small_population_real L = config->L;
-    const bicycle_small_population_real K_prior = config->K_prior;
-    const bicycle_small_population_real prior_information = config->prior_information;
-    const bicycle_small_population_real K_low = config->K_low;
-    const bicycle_small_population_real K_high = config->K_high;
-    const bicycle_small_population_real pi1_low = config->pi1_low;
-    const bicycle_small_population_real pi1_high = config->pi1_high;
-    const bicycle_small_population_real eta_low = config->eta_low;
-    const bicycle_small_population_real eta_high = config->eta_high;
-    const bicycle_small_population_real rho_low = config->rho_low;
-    const bicycle_small_population_real rho_high = config->rho_high;
-    const bicycle_small_population_real v_star_sd = config->v_star_sd;
-    const bicycle_small_population_real r_star_sd = config->r_star_sd;
-    const bicycle_small_population_real noise_variance = config->noise_variance;
-    const bicycle_small_population_real drift = config->drift;
-    const bicycle_small_population_real idle_drift = config->idle_drift;
-    const bicycle_small_population_real jump_drift = config->jump_drift;
-    const bicycle_small_population_real bias_drift = config->bias_drift;
-    const bicycle_small_population_real timing_error = config->timing_error;
-    const bicycle_small_population_real structure_share = config->structure_share;
-    const bicycle_small_population_real structure_time = config->structure_time;
-    const bicycle_small_population_real activity_rate = config->activity_rate;
-    const bicycle_small_population_real disturbance_floor = config->disturbance_floor;
-    const bicycle_small_population_real disturbance_share = config->disturbance_share;
-    const bicycle_small_population_real disturbance_rate = config->disturbance_rate;
-    const bicycle_small_population_real disturbance_adapt = config->disturbance_adapt;
-    const bicycle_small_population_real disturbance_scale_low = config->disturbance_scale_low;
-    const bicycle_small_population_real disturbance_scale_high = config->disturbance_scale_high;
-    const bicycle_small_population_real noise_adapt = config->noise_adapt;
-    const bicycle_small_population_real noise_scale_low = config->noise_scale_low;
-    const bicycle_small_population_real noise_scale_high = config->noise_scale_high;
-    const bicycle_small_population_real excitation_ratio = config->excitation_ratio;
-    const bicycle_small_population_real excitation_rate = config->excitation_rate;
-    const bicycle_small_population_real seldom = config->seldom;
-    const bicycle_small_population_real surprise_rate = config->surprise_rate;
-    const bicycle_small_population_real jump_ratio = config->jump_ratio;
-    const bicycle_small_population_real surprise_limit = config->surprise_limit;
-    const bicycle_small_population_real observed_least = config->observed_least;
-    const bicycle_small_population_real outlier_ratio = config->outlier_ratio;
-    const bicycle_small_population_real gap = config->gap;
-    const bicycle_small_population_real input_limit = config->input_limit;
-    const bicycle_small_population_real output_limit = config->output_limit;
-    const bicycle_small_population_real signal_limit = config->signal_limit;
-    const bicycle_small_population_real validity_limit = config->validity_limit;
-    const bicycle_small_population_real validity_rate = config->validity_rate;
-    const bicycle_small_population_real dt = sample->dt;
-    const bicycle_small_population_real input = sample->input;
-    const bicycle_small_population_real U = sample->U;
-    const bicycle_small_population_real measured = sample->measured;
     bicycle_small_population_real *const P = state->P;
-    bicycle_small_population_real v_star = state->v_star;
-    bicycle_small_population_real r_star = state->r_star;
-    bicycle_small_population_real disturbance = state->disturbance;
-    bicycle_small_population_real K = state->K;
-    bicycle_small_population_real pi1 = state->pi1;
-    bicycle_small_population_real eta = state->eta;
-    bicycle_small_population_real rho = state->rho;
-    bicycle_small_population_real output_bias = state->output_bias;
-    bicycle_small_population_real noise_scale = state->noise_scale;
-    bicycle_small_population_real disturbance_scale = state->disturbance_scale;
-    bicycle_small_population_real activity = state->activity;
-    bicycle_small_population_real settling = state->settling;
-    bicycle_small_population_real restlessness = state->restlessness;
-    bicycle_small_population_real jump = state->jump;
-    bicycle_small_population_real surprise = state->surprise;
-    bicycle_small_population_real excitation = state->excitation;
-    bicycle_small_population_real excited = state->excited;
-    bicycle_small_population_real unlearnt = state->unlearnt;
-    bicycle_small_population_real validity = state->validity;
-    bicycle_small_population_real information = state->information;
-    bicycle_small_population_real last_input = state->last_input;
-    bicycle_small_population_real last_U = state->last_U;
-    bicycle_small_population_real age = state->age;
-    bicycle_small_population_real started = state->started;
     bicycle_small_population_real U_now = R(0.0);
-    bicycle_small_population_real anew = R(0.0);
+    int anew = 0;
     bicycle_small_population_real diffusion = R(0.0);
     bicycle_small_population_real estimate = R(0.0);
     bicycle_small_population_real information_gained = R(0.0);
@@ -377,59 +248,61 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     bicycle_small_population_real inv_spread = R(0.0);
     bicycle_small_population_real move = R(0.0);
     bicycle_small_population_real predicted = R(0.0);
-    bicycle_small_population_real status = R(0.0);
+    int status = 0;
     bicycle_small_population_real u_now = R(0.0);
     bicycle_small_population_real usable = R(0.0);
     bicycle_small_population_real variance = R(0.0);
 
-    status = R(0.0);
-    predicted = output_bias;
+    status = 0;
+    predicted = state->output_bias;
     innovation = R(0.0);
-    innovation_variance = noise_scale*noise_variance;
-    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
+    innovation_variance = state->noise_scale*config->noise_variance;
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
-        age = age + dt;
-        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
-            u_now = input;
+        anew = 0; /* 1 where the dynamic state starts anew */
+        state->age = state->age + sample->dt;
+        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+            u_now = sample->input;
         } else {
-            u_now = last_input;
+            u_now = state->last_input;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
-            U_now = U;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+            U_now = sample->U;
         } else {
-            U_now = last_U;
+            U_now = state->last_U;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (started < R(0.5)) { /* no sample before it could be used */
-            anew = R(1.0);
-            last_input = u_now;
-            last_U = U_now;
+        if (state->started < R(0.5)) { /* no sample before it could be used */
+            anew = 1;
+            state->last_input = u_now;
+            state->last_U = U_now;
         }
-        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
-            status = R(5.0);
-            anew = R(1.0);
+        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+            status = 5;
+            anew = 1;
         }
-        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
-            anew = R(1.0);
-            started = R(0.0);
+        if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = 1;
+            state->started = R(0.0);
             usable = R(0.0);
-            status = R(6.0);
+            status = 6;
         }
-        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
-            excitation = R(0.0);
-            excited = R(0.0);
-            jump = R(0.0);
-            surprise = R(1.0);
+        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
+            state->excitation = R(0.0);
+            state->excited = R(0.0);
+            state->jump = R(0.0);
+            state->score = R(0.0);
+            state->heard = R(0.0);
+            state->surprise = R(1.0);
         }
-        if (anew > R(0.5)) { /* nothing is known of them */
+        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -451,72 +324,72 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             P[18] = R(0.0);
             P[19] = R(0.0);
             P[20] = R(0.0);
-            P[0] = (v_star_sd*v_star_sd);
-            P[8] = (r_star_sd*r_star_sd);
-            P[15] = disturbance_scale*(disturbance_floor*disturbance_floor);
-            v_star = R(0.0);
-            r_star = R(0.0);
-            disturbance = R(0.0);
+            P[0] = (config->v_star_sd*config->v_star_sd);
+            P[8] = (config->r_star_sd*config->r_star_sd);
+            P[15] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+            state->v_star = R(0.0);
+            state->r_star = R(0.0);
+            state->disturbance = R(0.0);
         }
-        const bicycle_small_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const bicycle_small_population_real least_scale = R(0.0003333333333333333)*config->signal_limit;
         const bicycle_small_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
-        const bicycle_small_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
+        const bicycle_small_population_real was_U = ((state->last_U) > (least_scale) ? state->last_U : least_scale);
         const bicycle_small_population_real inv_U = (R(1.0)/at_U);
-        const bicycle_small_population_real inv_L = (R(1.0)/L);
-        const bicycle_small_population_real inv_dt = (R(1.0)/dt);
+        const bicycle_small_population_real inv_L = (R(1.0)/config->L);
+        const bicycle_small_population_real inv_dt = (R(1.0)/sample->dt);
         const bicycle_small_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
-        const bicycle_small_population_real inv_output_scale = L*inv_U;
-        const bicycle_small_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
+        const bicycle_small_population_real inv_output_scale = config->L*inv_U;
+        const bicycle_small_population_real span = (sample->dt < config->gap ? sample->dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
         const bicycle_small_population_real h = at_U*inv_L*span; /* dimensionless time step */
         const bicycle_small_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
-        v_star = ratio_v_star*v_star;
+        state->v_star = ratio_v_star*state->v_star;
         const bicycle_small_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
-        r_star = r_star*ratio_r_star;
-        const bicycle_small_population_real steer = R(0.5)*last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+        state->r_star = state->r_star*ratio_r_star;
+        const bicycle_small_population_real steer = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
         const bicycle_small_population_real u_plain = steer; /* measured input alone [-] */
-        const bicycle_small_population_real u = disturbance + u_plain; /* effective input [-] */
-        const bicycle_small_population_real inv0 = (R(1.0)/rho);
-        const bicycle_small_population_real inv1 = (R(1.0)/(pi1 - R(1.0)));
-        const bicycle_small_population_real c0 = (-r_star);
+        const bicycle_small_population_real u = state->disturbance + u_plain; /* effective input [-] */
+        const bicycle_small_population_real inv0 = (R(1.0)/state->rho);
+        const bicycle_small_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
+        const bicycle_small_population_real c0 = (-state->r_star);
         const bicycle_small_population_real c1 = (inv_U*inv_U);
-        const bicycle_small_population_real c2 = v_star + pi1*r_star;
+        const bicycle_small_population_real c2 = state->v_star + state->pi1*state->r_star;
         const bicycle_small_population_real c3 = c2 - u;
         const bicycle_small_population_real c4 = c1*c3;
         const bicycle_small_population_real c5 = c0 + c2;
-        const bicycle_small_population_real c6 = c1*pi1;
-        const bicycle_small_population_real c7 = c6*eta;
+        const bicycle_small_population_real c6 = c1*state->pi1;
+        const bicycle_small_population_real c7 = c6*state->eta;
         const bicycle_small_population_real c8 = c7*inv1;
         const bicycle_small_population_real c9 = c5*c8;
-        const bicycle_small_population_real c10 = K*(c9 - c4);
+        const bicycle_small_population_real c10 = state->K*(c9 - c4);
         const bicycle_small_population_real c11 = c1*inv0;
-        const bicycle_small_population_real c12 = c11*eta*inv1;
-        const bicycle_small_population_real c13 = K*(c1*c3*inv0*inv1 - c12*c5);
+        const bicycle_small_population_real c12 = c11*state->eta*inv1;
+        const bicycle_small_population_real c13 = state->K*(c1*c3*inv0*inv1 - c12*c5);
         const bicycle_small_population_real c14 = R(0.3333333333333333)*h;
-        const bicycle_small_population_real c15 = K*c14;
-        const bicycle_small_population_real c16 = c11*eta;
-        const bicycle_small_population_real c17 = c1*r_star;
+        const bicycle_small_population_real c15 = state->K*c14;
+        const bicycle_small_population_real c16 = c11*state->eta;
+        const bicycle_small_population_real c17 = c1*state->r_star;
         const bicycle_small_population_real c18 = (inv1*inv1);
         const bicycle_small_population_real c19 = c18*c5;
         const bicycle_small_population_real c20 = inv0*inv1;
         const bicycle_small_population_real c21 = c17*c20;
-        const bicycle_small_population_real c22 = c5*eta;
-        const bicycle_small_population_real c23 = K*c1;
+        const bicycle_small_population_real c22 = c5*state->eta;
+        const bicycle_small_population_real c23 = state->K*c1;
         const bicycle_small_population_real c24 = c20*c23;
         const bicycle_small_population_real c25 = (inv0*inv0);
         const bicycle_small_population_real f_v_star = c0 + c10; /* rate [-] */
         const bicycle_small_population_real f_r_star = c13; /* rate [-] */
         const bicycle_small_population_real J_00 = c15*(c8 - c1);
-        const bicycle_small_population_real J_01 = c14*(K*(c7 - c6) - R(1.0));
+        const bicycle_small_population_real J_01 = c14*(state->K*(c7 - c6) - R(1.0));
         const bicycle_small_population_real J_10 = c15*(c1*inv0*inv1 - c12);
-        const bicycle_small_population_real J_11 = c15*(c1*inv0*inv1*pi1 - c16);
+        const bicycle_small_population_real J_11 = c15*(c1*inv0*inv1*state->pi1 - c16);
         const bicycle_small_population_real f_v_star_K = c10;
         const bicycle_small_population_real f_r_star_K = c13;
-        const bicycle_small_population_real f_v_star_pi1 = K*(c1*c5*eta*inv1 + c1*eta*inv1*pi1*r_star - c17 - c19*c7);
-        const bicycle_small_population_real f_r_star_pi1 = K*(c21 + c16*c19 - c21*eta - c18*c4*inv0);
-        const bicycle_small_population_real f_v_star_eta = K*c9;
+        const bicycle_small_population_real f_v_star_pi1 = state->K*(c1*c5*state->eta*inv1 + c1*state->eta*inv1*state->pi1*state->r_star - c17 - c19*c7);
+        const bicycle_small_population_real f_r_star_pi1 = state->K*(c21 + c16*c19 - c21*state->eta - c18*c4*inv0);
+        const bicycle_small_population_real f_v_star_eta = state->K*c9;
         const bicycle_small_population_real f_r_star_eta = (-c22*c24);
         const bicycle_small_population_real f_v_star_rho = R(0.0);
-        const bicycle_small_population_real f_r_star_rho = K*rho*(c1*c22*c25*inv1 - c25*c4*inv1);
+        const bicycle_small_population_real f_r_star_rho = state->K*state->rho*(c1*c22*c25*inv1 - c25*c4*inv1);
         const bicycle_small_population_real f_v_star_u = c23;
         const bicycle_small_population_real f_r_star_u = (-c24);
         const bicycle_small_population_real p0 = J_00*J_11 - J_01*J_10;
@@ -550,14 +423,14 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
         const bicycle_small_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
         const bicycle_small_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
-        const bicycle_small_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
-        const bicycle_small_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        const bicycle_small_population_real keep_w = ((R(0.0)) > (R(1.0) - config->disturbance_rate*sample->dt) ? R(0.0) : R(1.0) - config->disturbance_rate*sample->dt);
+        const bicycle_small_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = drift;
-        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
-            const bicycle_small_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+        diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
+        if (state->excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            const bicycle_small_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const bicycle_small_population_real keep = R(1.0) - lost;
-            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
+            diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
             P[3] = P[3]*keep;
             P[10] = P[10]*keep;
             P[16] = P[16]*keep;
@@ -567,8 +440,8 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             P[24] = P[24]*keep;
             P[25] = P[25]*keep;
             P[21] = P[21]*keep;
-            const bicycle_small_population_real p = K - K_prior;
-            const bicycle_small_population_real q = K + K_prior;
+            const bicycle_small_population_real p = state->K - config->K_prior;
+            const bicycle_small_population_real q = state->K + config->K_prior;
             const bicycle_small_population_real pp = (p*p);
             const bicycle_small_population_real qq = (q*q);
             const bicycle_small_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
@@ -619,26 +492,26 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         P[12] = FP_1_5;
         P[13] = FP_1_6;
         P[14] = FP_1_7;
-        P[15] = P[15]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[15] = P[15]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
         P[16] = P[16]*keep_w;
         P[17] = P[17]*keep_w;
         P[18] = P[18]*keep_w;
         P[19] = P[19]*keep_w;
         P[20] = P[20]*keep_w;
-        P[21] = P[21] + dt*(diffusion + jump*jump_drift);
-        P[35] = P[35] + bias_drift*dt;
-        disturbance = disturbance*keep_w;
-        v_star = d_v_star + v_star;
-        r_star = d_r_star + r_star;
-        const bicycle_small_population_real response = output_scale*r_star; /* output of the model */
-        predicted = output_bias + response;
+        P[21] = P[21] + sample->dt*(diffusion + state->jump*config->jump_drift);
+        P[35] = P[35] + config->bias_drift*sample->dt;
+        state->disturbance = state->disturbance*keep_w;
+        state->v_star = d_v_star + state->v_star;
+        state->r_star = d_r_star + state->r_star;
+        const bicycle_small_population_real response = output_scale*state->r_star; /* output of the model */
+        predicted = state->output_bias + response;
         const bicycle_small_population_real output_rate = d_r_star*inv_dt*output_scale;
-        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
-        const bicycle_small_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
-        const bicycle_small_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
-        const bicycle_small_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        state->activity = state->activity + ((response*response) - state->activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
+        const bicycle_small_population_real noise = state->noise_scale*(config->noise_variance + (output_rate*output_rate)*(config->timing_error*config->timing_error) + state->activity*(config->structure_share*config->structure_share)*((R(1.0)) > (R(2.0)*inv_dt*config->structure_time) ? R(1.0) : R(2.0)*inv_dt*config->structure_time)); /* variance of the measurement */
+        const bicycle_small_population_real validity_now = inv_L*state->r_star*(at_U*at_U); /* lateral acceleration */
+        const bicycle_small_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const bicycle_small_population_real validity_square = (validity_now*validity_now);
-        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
         if (usable > R(0.5)) { /* measurement */
             const bicycle_small_population_real c_0 = P[7] + P[1]*output_scale;
             const bicycle_small_population_real c_1 = P[14] + P[8]*output_scale;
@@ -648,27 +521,33 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             const bicycle_small_population_real c_5 = P[32] + P[12]*output_scale;
             const bicycle_small_population_real c_6 = P[34] + P[13]*output_scale;
             const bicycle_small_population_real c_7 = P[35] + P[14]*output_scale;
-            innovation = measured - predicted;
+            innovation = sample->measured - predicted;
             innovation_variance = c_7 + noise + c_1*output_scale;
             inv_spread = (R(1.0)/innovation_variance);
             const bicycle_small_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
-            if (nis > outlier_ratio) { /* an outlier counts for less */
-                inv_spread = inv_spread*outlier_ratio/nis;
+            if (nis > config->outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*config->outlier_ratio/nis;
             }
             const bicycle_small_population_real inv_P = (R(1.0)/P[21]);
             const bicycle_small_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
-            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
-            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
-            const bicycle_small_population_real learn = excited*inv_spread;
-            const bicycle_small_population_real above = surprise - R(1.0);
-            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
-            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
-            const bicycle_small_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
-            unlearnt = dt + unlearnt;
-            const bicycle_small_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+            state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
+            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_small_population_real learn = state->excited*inv_spread;
+            const bicycle_small_population_real keep_score = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate) : R(1.0));
+            const bicycle_small_population_real told = (state->validity < (config->validity_limit*config->validity_limit) ? inv_spread*sensitivity : R(0.0));
+            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
+            state->score = innovation*told + keep_score*state->score;
+            const bicycle_small_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[21]*state->heard); /* little is no evidence */
+            const bicycle_small_population_real doubt = (state->validity < (config->validity_limit*config->validity_limit) ? ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough) : R(0.0));
+            const bicycle_small_population_real above = state->surprise - R(1.0);
+            state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
+            state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));
+            const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            state->unlearnt = sample->dt + state->unlearnt;
+            const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
-                unlearnt = R(0.0);
+                state->unlearnt = R(0.0);
             }
             const bicycle_small_population_real gain_0 = c_0*inv_spread;
             const bicycle_small_population_real gain_1 = c_1*inv_spread;
@@ -679,7 +558,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             const bicycle_small_population_real gain_6 = c_6*learn_slow;
             const bicycle_small_population_real gain_7 = c_7*inv_spread;
             const bicycle_small_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
-            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             P[0] = P[0] - c_0*gain_0;
             P[1] = P[1] - c_1*gain_0;
             P[2] = P[2] - c_2*gain_0;
@@ -716,95 +595,72 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             P[33] = P[33] - c_6*gain_6;
             P[34] = P[34] - c_6*gain_7;
             P[35] = P[35] - c_7*gain_7;
-            v_star = v_star + gain_0*innovation;
-            r_star = r_star + gain_1*innovation;
-            disturbance = disturbance + gain_2*innovation;
+            state->v_star = state->v_star + gain_0*innovation;
+            state->r_star = state->r_star + gain_1*innovation;
+            state->disturbance = state->disturbance + gain_2*innovation;
+            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
-            pi1 = pi1 + gain_4*innovation;
+            state->pi1 = state->pi1 + gain_4*innovation;
             const bicycle_small_population_real move_eta = gain_5*innovation;
             const bicycle_small_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const bicycle_small_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
             const bicycle_small_population_real move_rho = gain_6*innovation;
             const bicycle_small_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
             const bicycle_small_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-            output_bias = output_bias + gain_7*innovation;
-            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
-            const bicycle_small_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
-            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
-            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
-            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
-            const bicycle_small_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
-            const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (disturbance*disturbance)) ? R(9.0)*expected : P[15] + (disturbance*disturbance)); /* and seen */
-            const bicycle_small_population_real unseen = ((expected*observed_least) > (expected - P[15]) ? expected*observed_least : expected - P[15]);
-            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
-            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
-            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
-            if ((excited < R(0.5)) && (status < R(0.5))) {
-                status = R(1.0);
+            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            state->output_bias = state->output_bias + gain_7*innovation;
+            state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
+            const bicycle_small_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
+            state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
+            const bicycle_small_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
+            const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[15] + (state->disturbance*state->disturbance)); /* and seen */
+            const bicycle_small_population_real unseen = ((expected*config->observed_least) > (expected - P[15]) ? expected*config->observed_least : expected - P[15]);
+            state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
+            state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
+            state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
+            if ((state->excited < R(0.5)) && (status < 1)) {
+                status = 1;
             }
-            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
-                status = R(2.0);
+            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
+                status = 2;
             }
         }
         const bicycle_small_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_small_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
-        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
-            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
-            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
-            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
-            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
+        state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
+            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             if (usable > R(0.5)) {
-                status = R(3.0);
+                status = 3;
             }
         }
-        last_input = u_now;
-        last_U = U_now;
+        state->last_input = u_now;
+        state->last_U = U_now;
         if (usable > R(0.5)) {
-            age = R(0.0);
-            started = R(1.0);
+            state->age = R(0.0);
+            state->started = R(1.0);
         }
     } else {
-        status = R(7.0);
-        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
+        status = 7;
+        state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
-    estimate = K;
+    estimate = state->K;
     variance = P[21];
-    information_gained = information;
+    information_gained = state->information;
 
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->output_bias = output_bias;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

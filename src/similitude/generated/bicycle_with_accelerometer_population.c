@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3058 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 155 reals, configuration 113 reals; no heap, no globals, no libm, C99.
+ * Operations: step 3117 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -105,6 +105,11 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_rate; /* [1/s] rate at which the score of the first unknown is forgotten */
+    bicycle_with_accelerometer_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
+    bicycle_with_accelerometer_population_real score_most; /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_with_accelerometer_population_real faint_drift; /* [1/s] further diffusion of ln K while a jump could not show */
+    bicycle_with_accelerometer_population_real inv_telling; /* [-] 1/information of late in which a jump shows */
     bicycle_with_accelerometer_population_real observed_least; /* [-] least share of the disturbance taken as observed */
     bicycle_with_accelerometer_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
     bicycle_with_accelerometer_population_real gap;  /* [s] longest time without a usable sample before a restart */
@@ -153,6 +158,8 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     bicycle_with_accelerometer_population_real jump; /* [-] surprise taken as a jump of the first unknown */
     bicycle_with_accelerometer_population_real surprise; /* [-] recent mean of the normalised innovation squared */
+    bicycle_with_accelerometer_population_real score; /* [-] recent slope of the log likelihood along the first unknown */
+    bicycle_with_accelerometer_population_real heard; /* [-] recent information about the first unknown */
     bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
     bicycle_with_accelerometer_population_real unlearnt; /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -195,110 +202,23 @@ typedef struct bicycle_with_accelerometer_population_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state)
 {
-    const bicycle_with_accelerometer_population_real K_prior = config->K_prior;
-    const bicycle_with_accelerometer_population_real pi1_prior = config->pi1_prior;
-    const bicycle_with_accelerometer_population_real eta_prior = config->eta_prior;
-    const bicycle_with_accelerometer_population_real rho_prior = config->rho_prior;
-    const bicycle_with_accelerometer_population_real grip_prior = config->grip_prior;
-    const bicycle_with_accelerometer_population_real place_prior = config->place_prior;
-    const bicycle_with_accelerometer_population_real bank_prior = config->bank_prior;
-    const bicycle_with_accelerometer_population_real push_prior = config->push_prior;
-    const bicycle_with_accelerometer_population_real P_prior_0 = config->P_prior[0];
-    const bicycle_with_accelerometer_population_real P_prior_1 = config->P_prior[1];
-    const bicycle_with_accelerometer_population_real P_prior_2 = config->P_prior[2];
-    const bicycle_with_accelerometer_population_real P_prior_3 = config->P_prior[3];
-    const bicycle_with_accelerometer_population_real P_prior_4 = config->P_prior[4];
-    const bicycle_with_accelerometer_population_real P_prior_5 = config->P_prior[5];
-    const bicycle_with_accelerometer_population_real P_prior_6 = config->P_prior[6];
-    const bicycle_with_accelerometer_population_real P_prior_7 = config->P_prior[7];
-    const bicycle_with_accelerometer_population_real P_prior_8 = config->P_prior[8];
-    const bicycle_with_accelerometer_population_real P_prior_9 = config->P_prior[9];
-    const bicycle_with_accelerometer_population_real P_prior_10 = config->P_prior[10];
-    const bicycle_with_accelerometer_population_real P_prior_11 = config->P_prior[11];
-    const bicycle_with_accelerometer_population_real P_prior_12 = config->P_prior[12];
-    const bicycle_with_accelerometer_population_real P_prior_13 = config->P_prior[13];
-    const bicycle_with_accelerometer_population_real P_prior_14 = config->P_prior[14];
-    const bicycle_with_accelerometer_population_real P_prior_15 = config->P_prior[15];
-    const bicycle_with_accelerometer_population_real P_prior_16 = config->P_prior[16];
-    const bicycle_with_accelerometer_population_real P_prior_17 = config->P_prior[17];
-    const bicycle_with_accelerometer_population_real P_prior_18 = config->P_prior[18];
-    const bicycle_with_accelerometer_population_real P_prior_19 = config->P_prior[19];
-    const bicycle_with_accelerometer_population_real P_prior_20 = config->P_prior[20];
-    const bicycle_with_accelerometer_population_real P_prior_21 = config->P_prior[21];
-    const bicycle_with_accelerometer_population_real P_prior_22 = config->P_prior[22];
-    const bicycle_with_accelerometer_population_real P_prior_23 = config->P_prior[23];
-    const bicycle_with_accelerometer_population_real P_prior_24 = config->P_prior[24];
-    const bicycle_with_accelerometer_population_real P_prior_25 = config->P_prior[25];
-    const bicycle_with_accelerometer_population_real P_prior_26 = config->P_prior[26];
-    const bicycle_with_accelerometer_population_real P_prior_27 = config->P_prior[27];
-    const bicycle_with_accelerometer_population_real P_prior_28 = config->P_prior[28];
-    const bicycle_with_accelerometer_population_real P_prior_29 = config->P_prior[29];
-    const bicycle_with_accelerometer_population_real P_prior_30 = config->P_prior[30];
-    const bicycle_with_accelerometer_population_real P_prior_31 = config->P_prior[31];
-    const bicycle_with_accelerometer_population_real P_prior_32 = config->P_prior[32];
-    const bicycle_with_accelerometer_population_real P_prior_33 = config->P_prior[33];
-    const bicycle_with_accelerometer_population_real P_prior_34 = config->P_prior[34];
-    const bicycle_with_accelerometer_population_real P_prior_35 = config->P_prior[35];
-    const bicycle_with_accelerometer_population_real input_scale_sd = config->input_scale_sd;
-    const bicycle_with_accelerometer_population_real input_offset_sd = config->input_offset_sd;
-    const bicycle_with_accelerometer_population_real output_bias_sd = config->output_bias_sd;
-    const bicycle_with_accelerometer_population_real v_star_sd = config->v_star_sd;
-    const bicycle_with_accelerometer_population_real r_star_sd = config->r_star_sd;
-    const bicycle_with_accelerometer_population_real disturbance_floor = config->disturbance_floor;
-    const bicycle_with_accelerometer_population_real disturbance_scale_start = config->disturbance_scale_start;
-    const bicycle_with_accelerometer_population_real ay_bias_sd = config->ay_bias_sd;
     bicycle_with_accelerometer_population_real *const P = state->P;
-    bicycle_with_accelerometer_population_real K;
-    bicycle_with_accelerometer_population_real activity;
-    bicycle_with_accelerometer_population_real age;
-    bicycle_with_accelerometer_population_real ay_activity;
-    bicycle_with_accelerometer_population_real ay_bias;
-    bicycle_with_accelerometer_population_real ay_noise_scale;
-    bicycle_with_accelerometer_population_real bank;
-    bicycle_with_accelerometer_population_real disturbance;
-    bicycle_with_accelerometer_population_real disturbance_scale;
-    bicycle_with_accelerometer_population_real eta;
-    bicycle_with_accelerometer_population_real excitation;
-    bicycle_with_accelerometer_population_real excited;
-    bicycle_with_accelerometer_population_real grip;
-    bicycle_with_accelerometer_population_real information;
-    bicycle_with_accelerometer_population_real input_offset;
-    bicycle_with_accelerometer_population_real input_scale;
-    bicycle_with_accelerometer_population_real jump;
-    bicycle_with_accelerometer_population_real last_U;
-    bicycle_with_accelerometer_population_real last_input;
-    bicycle_with_accelerometer_population_real noise_scale;
-    bicycle_with_accelerometer_population_real output_bias;
-    bicycle_with_accelerometer_population_real pi1;
-    bicycle_with_accelerometer_population_real place;
-    bicycle_with_accelerometer_population_real push;
-    bicycle_with_accelerometer_population_real r_star;
-    bicycle_with_accelerometer_population_real r_star_plain;
-    bicycle_with_accelerometer_population_real restlessness;
-    bicycle_with_accelerometer_population_real rho;
-    bicycle_with_accelerometer_population_real settling;
-    bicycle_with_accelerometer_population_real started;
-    bicycle_with_accelerometer_population_real surprise;
-    bicycle_with_accelerometer_population_real unlearnt;
-    bicycle_with_accelerometer_population_real v_star;
-    bicycle_with_accelerometer_population_real v_star_plain;
-    bicycle_with_accelerometer_population_real validity;
-    v_star = R(0.0);
-    r_star = R(0.0);
-    v_star_plain = R(0.0);
-    r_star_plain = R(0.0);
-    disturbance = R(0.0);
-    K = K_prior;
-    pi1 = pi1_prior;
-    eta = eta_prior;
-    rho = rho_prior;
-    grip = grip_prior;
-    place = place_prior;
-    bank = bank_prior;
-    push = push_prior;
-    input_scale = R(1.0);
-    input_offset = R(0.0);
-    output_bias = R(0.0);
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->v_star_plain = R(0.0);
+    state->r_star_plain = R(0.0);
+    state->disturbance = R(0.0);
+    state->K = config->K_prior;
+    state->pi1 = config->pi1_prior;
+    state->eta = config->eta_prior;
+    state->rho = config->rho_prior;
+    state->grip = config->grip_prior;
+    state->place = config->place_prior;
+    state->bank = config->bank_prior;
+    state->push = config->push_prior;
+    state->input_scale = R(1.0);
+    state->input_offset = R(0.0);
+    state->output_bias = R(0.0);
     P[0] = R(0.0);
     P[1] = R(0.0);
     P[2] = R(0.0);
@@ -419,221 +339,81 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     P[117] = R(0.0);
     P[118] = R(0.0);
     P[119] = R(0.0);
-    P[0] = (v_star_sd*v_star_sd);
-    P[15] = (r_star_sd*r_star_sd);
-    P[110] = (input_scale_sd*input_scale_sd);
-    P[114] = (input_offset_sd*input_offset_sd);
-    P[117] = (output_bias_sd*output_bias_sd);
-    P[119] = (ay_bias_sd*ay_bias_sd);
-    P[42] = P_prior_0;
-    P[43] = P_prior_1;
-    P[44] = P_prior_2;
-    P[45] = P_prior_3;
-    P[46] = P_prior_4;
-    P[47] = P_prior_5;
-    P[48] = P_prior_6;
-    P[49] = P_prior_7;
-    P[54] = P_prior_8;
-    P[55] = P_prior_9;
-    P[56] = P_prior_10;
-    P[57] = P_prior_11;
-    P[58] = P_prior_12;
-    P[59] = P_prior_13;
-    P[60] = P_prior_14;
-    P[65] = P_prior_15;
-    P[66] = P_prior_16;
-    P[67] = P_prior_17;
-    P[68] = P_prior_18;
-    P[69] = P_prior_19;
-    P[70] = P_prior_20;
-    P[75] = P_prior_21;
-    P[76] = P_prior_22;
-    P[77] = P_prior_23;
-    P[78] = P_prior_24;
-    P[79] = P_prior_25;
-    P[84] = P_prior_26;
-    P[85] = P_prior_27;
-    P[86] = P_prior_28;
-    P[87] = P_prior_29;
-    P[92] = P_prior_30;
-    P[93] = P_prior_31;
-    P[94] = P_prior_32;
-    P[99] = P_prior_33;
-    P[100] = P_prior_34;
-    P[105] = P_prior_35;
-    noise_scale = R(1.0);
-    surprise = R(1.0);
-    settling = R(1.0);
-    disturbance_scale = disturbance_scale_start;
-    ay_noise_scale = R(1.0);
-    P[29] = disturbance_scale*(disturbance_floor*disturbance_floor);
-    restlessness = R(0.0);
-    jump = R(0.0);
-    activity = R(0.0);
-    excitation = R(0.0);
-    excited = R(0.0);
-    unlearnt = R(0.0);
-    validity = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    age = R(0.0);
-    started = R(0.0);
-    last_U = R(0.0);
-    ay_bias = R(0.0);
-    ay_activity = R(0.0);
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_plain = v_star_plain;
-    state->r_star_plain = r_star_plain;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->grip = grip;
-    state->place = place;
-    state->bank = bank;
-    state->push = push;
-    state->input_scale = input_scale;
-    state->input_offset = input_offset;
-    state->output_bias = output_bias;
-    state->ay_bias = ay_bias;
-    state->ay_activity = ay_activity;
-    state->ay_noise_scale = ay_noise_scale;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
+    P[0] = (config->v_star_sd*config->v_star_sd);
+    P[15] = (config->r_star_sd*config->r_star_sd);
+    P[110] = (config->input_scale_sd*config->input_scale_sd);
+    P[114] = (config->input_offset_sd*config->input_offset_sd);
+    P[117] = (config->output_bias_sd*config->output_bias_sd);
+    P[119] = (config->ay_bias_sd*config->ay_bias_sd);
+    P[42] = config->P_prior[0];
+    P[43] = config->P_prior[1];
+    P[44] = config->P_prior[2];
+    P[45] = config->P_prior[3];
+    P[46] = config->P_prior[4];
+    P[47] = config->P_prior[5];
+    P[48] = config->P_prior[6];
+    P[49] = config->P_prior[7];
+    P[54] = config->P_prior[8];
+    P[55] = config->P_prior[9];
+    P[56] = config->P_prior[10];
+    P[57] = config->P_prior[11];
+    P[58] = config->P_prior[12];
+    P[59] = config->P_prior[13];
+    P[60] = config->P_prior[14];
+    P[65] = config->P_prior[15];
+    P[66] = config->P_prior[16];
+    P[67] = config->P_prior[17];
+    P[68] = config->P_prior[18];
+    P[69] = config->P_prior[19];
+    P[70] = config->P_prior[20];
+    P[75] = config->P_prior[21];
+    P[76] = config->P_prior[22];
+    P[77] = config->P_prior[23];
+    P[78] = config->P_prior[24];
+    P[79] = config->P_prior[25];
+    P[84] = config->P_prior[26];
+    P[85] = config->P_prior[27];
+    P[86] = config->P_prior[28];
+    P[87] = config->P_prior[29];
+    P[92] = config->P_prior[30];
+    P[93] = config->P_prior[31];
+    P[94] = config->P_prior[32];
+    P[99] = config->P_prior[33];
+    P[100] = config->P_prior[34];
+    P[105] = config->P_prior[35];
+    state->noise_scale = R(1.0);
+    state->surprise = R(1.0);
+    state->settling = R(1.0);
+    state->disturbance_scale = config->disturbance_scale_start;
+    state->ay_noise_scale = R(1.0);
+    P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    state->restlessness = R(0.0);
+    state->jump = R(0.0);
+    state->score = R(0.0);
+    state->heard = R(0.0);
+    state->activity = R(0.0);
+    state->excitation = R(0.0);
+    state->excited = R(0.0);
+    state->unlearnt = R(0.0);
+    state->validity = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->age = R(0.0);
+    state->started = R(0.0);
+    state->last_U = R(0.0);
+    state->ay_bias = R(0.0);
+    state->ay_activity = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state,
-                                     const bicycle_with_accelerometer_population_sample *sample, bicycle_with_accelerometer_population_output *output)
+SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *restrict config,
+                                     bicycle_with_accelerometer_population_state *restrict state,
+                                     const bicycle_with_accelerometer_population_sample *restrict sample,
+                                     bicycle_with_accelerometer_population_output *restrict output)
 {
-    const bicycle_with_accelerometer_population_real L = config->L;
-    const bicycle_with_accelerometer_population_real K_prior = config->K_prior;
-    const bicycle_with_accelerometer_population_real bank_prior = config->bank_prior;
-    const bicycle_with_accelerometer_population_real push_prior = config->push_prior;
-    const bicycle_with_accelerometer_population_real P_prior_33 = config->P_prior[33];
-    const bicycle_with_accelerometer_population_real P_prior_35 = config->P_prior[35];
-    const bicycle_with_accelerometer_population_real prior_information = config->prior_information;
-    const bicycle_with_accelerometer_population_real K_low = config->K_low;
-    const bicycle_with_accelerometer_population_real K_high = config->K_high;
-    const bicycle_with_accelerometer_population_real pi1_low = config->pi1_low;
-    const bicycle_with_accelerometer_population_real pi1_high = config->pi1_high;
-    const bicycle_with_accelerometer_population_real eta_low = config->eta_low;
-    const bicycle_with_accelerometer_population_real eta_high = config->eta_high;
-    const bicycle_with_accelerometer_population_real rho_low = config->rho_low;
-    const bicycle_with_accelerometer_population_real rho_high = config->rho_high;
-    const bicycle_with_accelerometer_population_real grip_low = config->grip_low;
-    const bicycle_with_accelerometer_population_real grip_high = config->grip_high;
-    const bicycle_with_accelerometer_population_real place_low = config->place_low;
-    const bicycle_with_accelerometer_population_real place_high = config->place_high;
-    const bicycle_with_accelerometer_population_real bank_low = config->bank_low;
-    const bicycle_with_accelerometer_population_real bank_high = config->bank_high;
-    const bicycle_with_accelerometer_population_real push_low = config->push_low;
-    const bicycle_with_accelerometer_population_real push_high = config->push_high;
-    const bicycle_with_accelerometer_population_real input_scale_low = config->input_scale_low;
-    const bicycle_with_accelerometer_population_real input_scale_high = config->input_scale_high;
-    const bicycle_with_accelerometer_population_real v_star_sd = config->v_star_sd;
-    const bicycle_with_accelerometer_population_real r_star_sd = config->r_star_sd;
-    const bicycle_with_accelerometer_population_real noise_variance = config->noise_variance;
-    const bicycle_with_accelerometer_population_real drift = config->drift;
-    const bicycle_with_accelerometer_population_real idle_drift = config->idle_drift;
-    const bicycle_with_accelerometer_population_real jump_drift = config->jump_drift;
-    const bicycle_with_accelerometer_population_real bias_drift = config->bias_drift;
-    const bicycle_with_accelerometer_population_real timing_error = config->timing_error;
-    const bicycle_with_accelerometer_population_real companion_rate = config->companion_rate;
-    const bicycle_with_accelerometer_population_real structure_share = config->structure_share;
-    const bicycle_with_accelerometer_population_real structure_time = config->structure_time;
-    const bicycle_with_accelerometer_population_real activity_rate = config->activity_rate;
-    const bicycle_with_accelerometer_population_real disturbance_floor = config->disturbance_floor;
-    const bicycle_with_accelerometer_population_real disturbance_share = config->disturbance_share;
-    const bicycle_with_accelerometer_population_real disturbance_rate = config->disturbance_rate;
-    const bicycle_with_accelerometer_population_real disturbance_adapt = config->disturbance_adapt;
-    const bicycle_with_accelerometer_population_real disturbance_scale_low = config->disturbance_scale_low;
-    const bicycle_with_accelerometer_population_real disturbance_scale_high = config->disturbance_scale_high;
-    const bicycle_with_accelerometer_population_real noise_adapt = config->noise_adapt;
-    const bicycle_with_accelerometer_population_real noise_scale_low = config->noise_scale_low;
-    const bicycle_with_accelerometer_population_real noise_scale_high = config->noise_scale_high;
-    const bicycle_with_accelerometer_population_real excitation_ratio = config->excitation_ratio;
-    const bicycle_with_accelerometer_population_real excitation_rate = config->excitation_rate;
-    const bicycle_with_accelerometer_population_real seldom = config->seldom;
-    const bicycle_with_accelerometer_population_real surprise_rate = config->surprise_rate;
-    const bicycle_with_accelerometer_population_real jump_ratio = config->jump_ratio;
-    const bicycle_with_accelerometer_population_real surprise_limit = config->surprise_limit;
-    const bicycle_with_accelerometer_population_real observed_least = config->observed_least;
-    const bicycle_with_accelerometer_population_real outlier_ratio = config->outlier_ratio;
-    const bicycle_with_accelerometer_population_real gap = config->gap;
-    const bicycle_with_accelerometer_population_real input_limit = config->input_limit;
-    const bicycle_with_accelerometer_population_real output_limit = config->output_limit;
-    const bicycle_with_accelerometer_population_real signal_limit = config->signal_limit;
-    const bicycle_with_accelerometer_population_real validity_limit = config->validity_limit;
-    const bicycle_with_accelerometer_population_real validity_rate = config->validity_rate;
-    const bicycle_with_accelerometer_population_real bank_rate = config->bank_rate;
-    const bicycle_with_accelerometer_population_real push_rate = config->push_rate;
-    const bicycle_with_accelerometer_population_real ay_bias_drift = config->ay_bias_drift;
-    const bicycle_with_accelerometer_population_real ay_variance = config->ay_variance;
-    const bicycle_with_accelerometer_population_real ay_share = config->ay_share;
-    const bicycle_with_accelerometer_population_real ay_time = config->ay_time;
-    const bicycle_with_accelerometer_population_real ay_noise_scale_low = config->ay_noise_scale_low;
-    const bicycle_with_accelerometer_population_real ay_noise_scale_high = config->ay_noise_scale_high;
-    const bicycle_with_accelerometer_population_real ay_limit = config->ay_limit;
-    const bicycle_with_accelerometer_population_real dt = sample->dt;
-    const bicycle_with_accelerometer_population_real input = sample->input;
-    const bicycle_with_accelerometer_population_real U = sample->U;
-    const bicycle_with_accelerometer_population_real measured = sample->measured;
-    const bicycle_with_accelerometer_population_real ay_measured = sample->ay_measured;
     bicycle_with_accelerometer_population_real *const P = state->P;
-    bicycle_with_accelerometer_population_real v_star = state->v_star;
-    bicycle_with_accelerometer_population_real r_star = state->r_star;
-    bicycle_with_accelerometer_population_real v_star_plain = state->v_star_plain;
-    bicycle_with_accelerometer_population_real r_star_plain = state->r_star_plain;
-    bicycle_with_accelerometer_population_real disturbance = state->disturbance;
-    bicycle_with_accelerometer_population_real K = state->K;
-    bicycle_with_accelerometer_population_real pi1 = state->pi1;
-    bicycle_with_accelerometer_population_real eta = state->eta;
-    bicycle_with_accelerometer_population_real rho = state->rho;
-    bicycle_with_accelerometer_population_real grip = state->grip;
-    bicycle_with_accelerometer_population_real place = state->place;
-    bicycle_with_accelerometer_population_real bank = state->bank;
-    bicycle_with_accelerometer_population_real push = state->push;
-    bicycle_with_accelerometer_population_real input_scale = state->input_scale;
-    bicycle_with_accelerometer_population_real input_offset = state->input_offset;
-    bicycle_with_accelerometer_population_real output_bias = state->output_bias;
-    bicycle_with_accelerometer_population_real ay_bias = state->ay_bias;
-    bicycle_with_accelerometer_population_real ay_activity = state->ay_activity;
-    bicycle_with_accelerometer_population_real ay_noise_scale = state->ay_noise_scale;
-    bicycle_with_accelerometer_population_real noise_scale = state->noise_scale;
-    bicycle_with_accelerometer_population_real disturbance_scale = state->disturbance_scale;
-    bicycle_with_accelerometer_population_real activity = state->activity;
-    bicycle_with_accelerometer_population_real settling = state->settling;
-    bicycle_with_accelerometer_population_real restlessness = state->restlessness;
-    bicycle_with_accelerometer_population_real jump = state->jump;
-    bicycle_with_accelerometer_population_real surprise = state->surprise;
-    bicycle_with_accelerometer_population_real excitation = state->excitation;
-    bicycle_with_accelerometer_population_real excited = state->excited;
-    bicycle_with_accelerometer_population_real unlearnt = state->unlearnt;
-    bicycle_with_accelerometer_population_real validity = state->validity;
-    bicycle_with_accelerometer_population_real information = state->information;
-    bicycle_with_accelerometer_population_real last_input = state->last_input;
-    bicycle_with_accelerometer_population_real last_U = state->last_U;
-    bicycle_with_accelerometer_population_real age = state->age;
-    bicycle_with_accelerometer_population_real started = state->started;
     bicycle_with_accelerometer_population_real U_now = R(0.0);
-    bicycle_with_accelerometer_population_real anew = R(0.0);
+    int anew = 0;
     bicycle_with_accelerometer_population_real ay_inv_spread = R(0.0);
     bicycle_with_accelerometer_population_real bank_now = R(0.0);
     bicycle_with_accelerometer_population_real bias_now = R(0.0);
@@ -654,61 +434,63 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real predicted = R(0.0);
     bicycle_with_accelerometer_population_real push_now = R(0.0);
     bicycle_with_accelerometer_population_real rho_now = R(0.0);
-    bicycle_with_accelerometer_population_real status = R(0.0);
+    int status = 0;
     bicycle_with_accelerometer_population_real u_now = R(0.0);
     bicycle_with_accelerometer_population_real usable = R(0.0);
     bicycle_with_accelerometer_population_real variance = R(0.0);
 
-    status = R(0.0);
-    predicted = output_bias;
+    status = 0;
+    predicted = state->output_bias;
     innovation = R(0.0);
-    innovation_variance = noise_scale*noise_variance;
+    innovation_variance = state->noise_scale*config->noise_variance;
     noise_now = innovation_variance;
-    disturbance_now = disturbance_scale*(disturbance_floor*disturbance_floor);
-    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
+    disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
-        age = age + dt;
-        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
-            u_now = input;
+        anew = 0; /* 1 where the dynamic state starts anew */
+        state->age = state->age + sample->dt;
+        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+            u_now = sample->input;
         } else {
-            u_now = last_input;
+            u_now = state->last_input;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
-            U_now = U;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+            U_now = sample->U;
         } else {
-            U_now = last_U;
+            U_now = state->last_U;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (started < R(0.5)) { /* no sample before it could be used */
-            anew = R(1.0);
-            last_input = u_now;
-            last_U = U_now;
+        if (state->started < R(0.5)) { /* no sample before it could be used */
+            anew = 1;
+            state->last_input = u_now;
+            state->last_U = U_now;
         }
-        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
-            status = R(5.0);
-            anew = R(1.0);
+        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+            status = 5;
+            anew = 1;
         }
-        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
-            anew = R(1.0);
-            started = R(0.0);
+        if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = 1;
+            state->started = R(0.0);
             usable = R(0.0);
-            status = R(6.0);
+            status = 6;
         }
-        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
-            excitation = R(0.0);
-            excited = R(0.0);
-            jump = R(0.0);
-            surprise = R(1.0);
+        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
+            state->excitation = R(0.0);
+            state->excited = R(0.0);
+            state->jump = R(0.0);
+            state->score = R(0.0);
+            state->heard = R(0.0);
+            state->surprise = R(1.0);
         }
-        if (anew > R(0.5)) { /* nothing is known of them */
+        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -751,46 +533,46 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             P[39] = R(0.0);
             P[40] = R(0.0);
             P[41] = R(0.0);
-            P[0] = (v_star_sd*v_star_sd);
-            P[15] = (r_star_sd*r_star_sd);
-            P[29] = disturbance_scale*(disturbance_floor*disturbance_floor);
-            v_star = R(0.0);
-            r_star = R(0.0);
-            v_star_plain = R(0.0);
-            r_star_plain = R(0.0);
-            disturbance = R(0.0);
+            P[0] = (config->v_star_sd*config->v_star_sd);
+            P[15] = (config->r_star_sd*config->r_star_sd);
+            P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+            state->v_star = R(0.0);
+            state->r_star = R(0.0);
+            state->v_star_plain = R(0.0);
+            state->r_star_plain = R(0.0);
+            state->disturbance = R(0.0);
         }
-        const bicycle_with_accelerometer_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const bicycle_with_accelerometer_population_real least_scale = R(0.0003333333333333333)*config->signal_limit;
         const bicycle_with_accelerometer_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
-        const bicycle_with_accelerometer_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
+        const bicycle_with_accelerometer_population_real was_U = ((state->last_U) > (least_scale) ? state->last_U : least_scale);
         const bicycle_with_accelerometer_population_real inv_U = (R(1.0)/at_U);
-        const bicycle_with_accelerometer_population_real inv_L = (R(1.0)/L);
-        const bicycle_with_accelerometer_population_real inv_dt = (R(1.0)/dt);
+        const bicycle_with_accelerometer_population_real inv_L = (R(1.0)/config->L);
+        const bicycle_with_accelerometer_population_real inv_dt = (R(1.0)/sample->dt);
         const bicycle_with_accelerometer_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
-        const bicycle_with_accelerometer_population_real inv_output_scale = L*inv_U;
-        const bicycle_with_accelerometer_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
+        const bicycle_with_accelerometer_population_real inv_output_scale = config->L*inv_U;
+        const bicycle_with_accelerometer_population_real span = (sample->dt < config->gap ? sample->dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
         const bicycle_with_accelerometer_population_real h = at_U*inv_L*span; /* dimensionless time step */
         const bicycle_with_accelerometer_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
-        v_star = ratio_v_star*v_star;
-        v_star_plain = ratio_v_star*v_star_plain;
+        state->v_star = ratio_v_star*state->v_star;
+        state->v_star_plain = ratio_v_star*state->v_star_plain;
         const bicycle_with_accelerometer_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
-        r_star = r_star*ratio_r_star;
-        r_star_plain = r_star_plain*ratio_r_star;
-        const bicycle_with_accelerometer_population_real steer = R(0.5)*input_scale*(last_input + u_now); /* mean of the sample's two ends */
-        const bicycle_with_accelerometer_population_real steer_change = input_scale*(u_now - last_input);
+        state->r_star = state->r_star*ratio_r_star;
+        state->r_star_plain = state->r_star_plain*ratio_r_star;
+        const bicycle_with_accelerometer_population_real steer = R(0.5)*state->input_scale*(state->last_input + u_now); /* mean of the sample's two ends */
+        const bicycle_with_accelerometer_population_real steer_change = state->input_scale*(u_now - state->last_input);
         const bicycle_with_accelerometer_population_real u_plain = steer; /* measured input alone [-] */
-        const bicycle_with_accelerometer_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
-        const bicycle_with_accelerometer_population_real inv0 = (R(1.0)/grip);
-        const bicycle_with_accelerometer_population_real inv1 = (R(1.0)/rho);
-        const bicycle_with_accelerometer_population_real inv2 = (R(1.0)/(pi1 - R(1.0)));
-        const bicycle_with_accelerometer_population_real s0 = v_star + pi1*r_star;
-        const bicycle_with_accelerometer_population_real s1 = K*inv0*inv2*inv_L;
-        const bicycle_with_accelerometer_population_real s2 = v_star_plain + pi1*r_star_plain;
-        const bicycle_with_accelerometer_population_real s3 = eta*s1;
+        const bicycle_with_accelerometer_population_real u = state->disturbance + state->input_offset + u_plain; /* effective input [-] */
+        const bicycle_with_accelerometer_population_real inv0 = (R(1.0)/state->grip);
+        const bicycle_with_accelerometer_population_real inv1 = (R(1.0)/state->rho);
+        const bicycle_with_accelerometer_population_real inv2 = (R(1.0)/(state->pi1 - R(1.0)));
+        const bicycle_with_accelerometer_population_real s0 = state->v_star + state->pi1*state->r_star;
+        const bicycle_with_accelerometer_population_real s1 = state->K*inv0*inv2*inv_L;
+        const bicycle_with_accelerometer_population_real s2 = state->v_star_plain + state->pi1*state->r_star_plain;
+        const bicycle_with_accelerometer_population_real s3 = state->eta*s1;
         const bicycle_with_accelerometer_population_real load0 = s1*(s0 - u); /* force over its limit [-] */
         const bicycle_with_accelerometer_population_real load1 = s1*(s2 - u_plain); /* force over its limit [-] */
-        const bicycle_with_accelerometer_population_real load2 = s3*(s0 - r_star); /* force over its limit [-] */
-        const bicycle_with_accelerometer_population_real load3 = s3*(s2 - r_star_plain); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real load2 = s3*(s0 - state->r_star); /* force over its limit [-] */
+        const bicycle_with_accelerometer_population_real load3 = s3*(s2 - state->r_star_plain); /* force over its limit [-] */
         const bicycle_with_accelerometer_population_real size0 = (((-load0)) > (load0) ? (-load0) : load0);
         const bicycle_with_accelerometer_population_real over0 = R(1.0) + size0*(R(1.0) + R(0.7)*size0);
         const bicycle_with_accelerometer_population_real part0 = (R(1.0)/(R(1.0) + over0*size0)); /* force over load */
@@ -805,32 +587,32 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
         const bicycle_with_accelerometer_population_real c0 = (inv_U*inv_U);
         const bicycle_with_accelerometer_population_real c1 = (at_U*at_U);
-        const bicycle_with_accelerometer_population_real c2 = L*bank + L*push;
+        const bicycle_with_accelerometer_population_real c2 = config->L*state->bank + config->L*state->push;
         const bicycle_with_accelerometer_population_real c3 = load0*over0*part0;
         const bicycle_with_accelerometer_population_real c4 = load2*over2*part2;
-        const bicycle_with_accelerometer_population_real c5 = L*c0;
-        const bicycle_with_accelerometer_population_real c6 = c5*grip;
+        const bicycle_with_accelerometer_population_real c5 = config->L*c0;
+        const bicycle_with_accelerometer_population_real c6 = c5*state->grip;
         const bicycle_with_accelerometer_population_real c7 = c6*inv1;
         const bicycle_with_accelerometer_population_real c8 = load1*over1*part1;
         const bicycle_with_accelerometer_population_real c9 = load3*over3*part3;
-        const bicycle_with_accelerometer_population_real c10 = c5*(load1*over1*part1*pi1 - c8 - c9*pi1);
+        const bicycle_with_accelerometer_population_real c10 = c5*(load1*over1*part1*state->pi1 - c8 - c9*state->pi1);
         const bicycle_with_accelerometer_population_real c11 = inv1*(c8 - c9);
         const bicycle_with_accelerometer_population_real c12 = c11*c6;
         const bicycle_with_accelerometer_population_real c13 = (part0*part0);
         const bicycle_with_accelerometer_population_real c14 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
-        const bicycle_with_accelerometer_population_real c15 = K*inv0*inv_L;
+        const bicycle_with_accelerometer_population_real c15 = state->K*inv0*inv_L;
         const bicycle_with_accelerometer_population_real c16 = c15*inv2;
         const bicycle_with_accelerometer_population_real c17 = c13*c14*c16;
-        const bicycle_with_accelerometer_population_real c18 = c17*pi1;
+        const bicycle_with_accelerometer_population_real c18 = c17*state->pi1;
         const bicycle_with_accelerometer_population_real c19 = (-c18);
-        const bicycle_with_accelerometer_population_real c20 = eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const bicycle_with_accelerometer_population_real c20 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
         const bicycle_with_accelerometer_population_real c21 = c16*c20;
         const bicycle_with_accelerometer_population_real c22 = R(0.16666666666666666)*h;
         const bicycle_with_accelerometer_population_real c23 = c15*c20;
         const bicycle_with_accelerometer_population_real c24 = c22*c7;
         const bicycle_with_accelerometer_population_real c25 = inv2*inv_L;
         const bicycle_with_accelerometer_population_real c26 = c25*inv0;
-        const bicycle_with_accelerometer_population_real c27 = v_star_plain + pi1*r_star_plain;
+        const bicycle_with_accelerometer_population_real c27 = state->v_star_plain + state->pi1*state->r_star_plain;
         const bicycle_with_accelerometer_population_real c28 = c27 - u_plain;
         const bicycle_with_accelerometer_population_real c29 = (part1*part1);
         const bicycle_with_accelerometer_population_real c30 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
@@ -838,44 +620,44 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real c32 = c28*c31;
         const bicycle_with_accelerometer_population_real c33 = c26*c32;
         const bicycle_with_accelerometer_population_real c34 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
-        const bicycle_with_accelerometer_population_real c35 = eta*(c27 - r_star_plain);
+        const bicycle_with_accelerometer_population_real c35 = state->eta*(c27 - state->r_star_plain);
         const bicycle_with_accelerometer_population_real c36 = c34*c35;
         const bicycle_with_accelerometer_population_real c37 = c26*c36;
         const bicycle_with_accelerometer_population_real c38 = c15*(inv2*inv2);
-        const bicycle_with_accelerometer_population_real c39 = K*inv0*inv2*inv_L*r_star_plain - c28*c38;
+        const bicycle_with_accelerometer_population_real c39 = state->K*inv0*inv2*inv_L*state->r_star_plain - c28*c38;
         const bicycle_with_accelerometer_population_real c40 = c31*c39;
-        const bicycle_with_accelerometer_population_real c41 = c34*(K*eta*inv0*inv2*inv_L*r_star_plain - c35*c38);
-        const bicycle_with_accelerometer_population_real c42 = K*c25;
+        const bicycle_with_accelerometer_population_real c41 = c34*(state->K*state->eta*inv0*inv2*inv_L*state->r_star_plain - c35*c38);
+        const bicycle_with_accelerometer_population_real c42 = state->K*c25;
         const bicycle_with_accelerometer_population_real c43 = c42*c5;
         const bicycle_with_accelerometer_population_real c44 = c43*inv1;
         const bicycle_with_accelerometer_population_real c45 = c42*(inv0*inv0);
         const bicycle_with_accelerometer_population_real c46 = c32*c45;
         const bicycle_with_accelerometer_population_real c47 = c36*c45;
-        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*r_star - c2)) - c6*(load0*over0*part0*pi1 - c3 - c4*pi1); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*state->r_star - c2)) - c6*(load0*over0*part0*state->pi1 - c3 - c4*state->pi1); /* rate [-] */
         const bicycle_with_accelerometer_population_real f_r_star = c7*(c3 - c4); /* rate [-] */
-        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*r_star_plain - c2)) - c10*grip;
+        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*state->r_star_plain - c2)) - c10*state->grip;
         const bicycle_with_accelerometer_population_real f_r_star_plain = c12;
-        const bicycle_with_accelerometer_population_real J_00 = (-c22*c6*((-c17) - c19 - c21*pi1));
-        const bicycle_with_accelerometer_population_real J_01 = c22*((-c0*c1) - c6*(K*c13*c14*inv0*inv2*inv_L*(pi1*pi1) - c18 - c23*pi1));
+        const bicycle_with_accelerometer_population_real J_00 = (-c22*c6*((-c17) - c19 - c21*state->pi1));
+        const bicycle_with_accelerometer_population_real J_01 = c22*((-c0*c1) - c6*(state->K*c13*c14*inv0*inv2*inv_L*(state->pi1*state->pi1) - c18 - c23*state->pi1));
         const bicycle_with_accelerometer_population_real J_10 = c24*(c17 - c21);
         const bicycle_with_accelerometer_population_real J_11 = c24*((-c19) - c23);
-        const bicycle_with_accelerometer_population_real f_v_star_K = (-K*c6*(c28*c29*c30*inv0*inv2*inv_L*pi1 - c33 - c37*pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_K = K*c7*(c33 - c37);
-        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(c8 + c29*c30*c39*pi1 - c40 - c9 - c41*pi1));
+        const bicycle_with_accelerometer_population_real f_v_star_K = (-state->K*c6*(c28*c29*c30*inv0*inv2*inv_L*state->pi1 - c33 - c37*state->pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_K = state->K*c7*(c33 - c37);
+        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(c8 + c29*c30*c39*state->pi1 - c40 - c9 - c41*state->pi1));
         const bicycle_with_accelerometer_population_real f_r_star_pi1 = c7*(c40 - c41);
-        const bicycle_with_accelerometer_population_real f_v_star_eta = c36*c43*pi1;
+        const bicycle_with_accelerometer_population_real f_v_star_eta = c36*c43*state->pi1;
         const bicycle_with_accelerometer_population_real f_r_star_eta = (-c36*c44);
         const bicycle_with_accelerometer_population_real f_v_star_rho = R(0.0);
         const bicycle_with_accelerometer_population_real f_r_star_rho = (-c12);
-        const bicycle_with_accelerometer_population_real f_v_star_grip = grip*((-c10) - c6*(c46 + c47*pi1 - c46*pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_grip = grip*(c11*c5 + c7*(c47 - c46));
+        const bicycle_with_accelerometer_population_real f_v_star_grip = state->grip*((-c10) - c6*(c46 + c47*state->pi1 - c46*state->pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_grip = state->grip*(c11*c5 + c7*(c47 - c46));
         const bicycle_with_accelerometer_population_real f_v_star_place = R(0.0);
         const bicycle_with_accelerometer_population_real f_r_star_place = R(0.0);
         const bicycle_with_accelerometer_population_real f_v_star_bank = c5;
         const bicycle_with_accelerometer_population_real f_r_star_bank = R(0.0);
         const bicycle_with_accelerometer_population_real f_v_star_push = c5;
         const bicycle_with_accelerometer_population_real f_r_star_push = R(0.0);
-        const bicycle_with_accelerometer_population_real f_v_star_u = (-c6*(K*c29*c30*inv0*inv2*inv_L - c16*c31*pi1));
+        const bicycle_with_accelerometer_population_real f_v_star_u = (-c6*(state->K*c29*c30*inv0*inv2*inv_L - c16*c31*state->pi1));
         const bicycle_with_accelerometer_population_real f_r_star_u = (-c31*c44);
         const bicycle_with_accelerometer_population_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_with_accelerometer_population_real p1 = (-J_00) - J_11;
@@ -935,16 +717,16 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real F_r_star_push = G_10*f_v_star_push + G_11*f_r_star_push;
         const bicycle_with_accelerometer_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
         const bicycle_with_accelerometer_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
-        const bicycle_with_accelerometer_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
-        const bicycle_with_accelerometer_population_real keep_bank = ((R(0.0)) > (R(1.0) - bank_rate*dt) ? R(0.0) : R(1.0) - bank_rate*dt);
-        const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - dt*push_rate) ? R(0.0) : R(1.0) - dt*push_rate);
-        const bicycle_with_accelerometer_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        const bicycle_with_accelerometer_population_real keep_w = ((R(0.0)) > (R(1.0) - config->disturbance_rate*sample->dt) ? R(0.0) : R(1.0) - config->disturbance_rate*sample->dt);
+        const bicycle_with_accelerometer_population_real keep_bank = ((R(0.0)) > (R(1.0) - config->bank_rate*sample->dt) ? R(0.0) : R(1.0) - config->bank_rate*sample->dt);
+        const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - sample->dt*config->push_rate) ? R(0.0) : R(1.0) - sample->dt*config->push_rate);
+        const bicycle_with_accelerometer_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = drift;
-        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
-            const bicycle_with_accelerometer_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+        diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
+        if (state->excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            const bicycle_with_accelerometer_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const bicycle_with_accelerometer_population_real keep = R(1.0) - lost;
-            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
+            diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
             P[3] = P[3]*keep;
             P[17] = P[17]*keep;
             P[30] = P[30]*keep;
@@ -961,8 +743,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             P[52] = P[52]*keep;
             P[53] = P[53]*keep;
             P[42] = P[42]*keep;
-            const bicycle_with_accelerometer_population_real p = K - K_prior;
-            const bicycle_with_accelerometer_population_real q = K + K_prior;
+            const bicycle_with_accelerometer_population_real p = state->K - config->K_prior;
+            const bicycle_with_accelerometer_population_real q = state->K + config->K_prior;
             const bicycle_with_accelerometer_population_real pp = (p*p);
             const bicycle_with_accelerometer_population_real qq = (q*q);
             const bicycle_with_accelerometer_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
@@ -1048,7 +830,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         P[26] = FP_1_12;
         P[27] = FP_1_13;
         P[28] = FP_1_14;
-        P[29] = P[29]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[29] = P[29]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
         P[30] = P[30]*keep_w;
         P[31] = P[31]*keep_w;
         P[32] = P[32]*keep_w;
@@ -1061,7 +843,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         P[39] = P[39]*keep_w;
         P[40] = P[40]*keep_w;
         P[41] = P[41]*keep_w;
-        P[42] = P[42] + dt*(diffusion + jump*jump_drift);
+        P[42] = P[42] + sample->dt*(diffusion + state->jump*config->jump_drift);
         P[48] = P[48]*keep_bank;
         P[49] = P[49]*keep_push;
         P[59] = P[59]*keep_bank;
@@ -1074,36 +856,36 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         P[87] = P[87]*keep_push;
         P[93] = P[93]*keep_bank;
         P[94] = P[94]*keep_push;
-        P[99] = P[99]*(keep_bank*keep_bank) + P_prior_33*(R(1.0) - (keep_bank*keep_bank));
+        P[99] = P[99]*(keep_bank*keep_bank) + config->P_prior[33]*(R(1.0) - (keep_bank*keep_bank));
         P[100] = P[100]*keep_bank*keep_push;
         P[101] = P[101]*keep_bank;
         P[102] = P[102]*keep_bank;
         P[103] = P[103]*keep_bank;
         P[104] = P[104]*keep_bank;
-        P[105] = P[105]*(keep_push*keep_push) + P_prior_35*(R(1.0) - (keep_push*keep_push));
+        P[105] = P[105]*(keep_push*keep_push) + config->P_prior[35]*(R(1.0) - (keep_push*keep_push));
         P[106] = P[106]*keep_push;
         P[107] = P[107]*keep_push;
         P[108] = P[108]*keep_push;
         P[109] = P[109]*keep_push;
-        P[117] = P[117] + bias_drift*dt;
-        P[119] = P[119] + ay_bias_drift*dt;
-        disturbance = disturbance*keep_w;
-        bank = bank_prior + keep_bank*(bank - bank_prior);
-        push = push_prior + keep_push*(push - push_prior);
-        v_star = d_v_star + v_star;
-        r_star = d_r_star + r_star;
-        const bicycle_with_accelerometer_population_real follow = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);
-        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain);
-        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain);
-        const bicycle_with_accelerometer_population_real response = output_scale*r_star; /* output of the model */
-        predicted = output_bias + response;
+        P[117] = P[117] + config->bias_drift*sample->dt;
+        P[119] = P[119] + config->ay_bias_drift*sample->dt;
+        state->disturbance = state->disturbance*keep_w;
+        state->bank = config->bank_prior + keep_bank*(state->bank - config->bank_prior);
+        state->push = config->push_prior + keep_push*(state->push - config->push_prior);
+        state->v_star = d_v_star + state->v_star;
+        state->r_star = d_r_star + state->r_star;
+        const bicycle_with_accelerometer_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
+        state->v_star_plain = d_v_star_plain + state->v_star_plain + follow*(state->v_star - d_v_star_plain - state->v_star_plain);
+        state->r_star_plain = d_r_star_plain + state->r_star_plain + follow*(state->r_star - d_r_star_plain - state->r_star_plain);
+        const bicycle_with_accelerometer_population_real response = output_scale*state->r_star; /* output of the model */
+        predicted = state->output_bias + response;
         const bicycle_with_accelerometer_population_real output_rate = d_r_star*inv_dt*output_scale;
-        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
-        const bicycle_with_accelerometer_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
-        const bicycle_with_accelerometer_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
-        const bicycle_with_accelerometer_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        state->activity = state->activity + ((response*response) - state->activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
+        const bicycle_with_accelerometer_population_real noise = state->noise_scale*(config->noise_variance + (output_rate*output_rate)*(config->timing_error*config->timing_error) + state->activity*(config->structure_share*config->structure_share)*((R(1.0)) > (R(2.0)*inv_dt*config->structure_time) ? R(1.0) : R(2.0)*inv_dt*config->structure_time)); /* variance of the measurement */
+        const bicycle_with_accelerometer_population_real validity_now = inv_L*state->r_star*(at_U*at_U); /* lateral acceleration */
+        const bicycle_with_accelerometer_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const bicycle_with_accelerometer_population_real validity_square = (validity_now*validity_now);
-        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
         if (usable > R(0.5)) { /* measurement */
             const bicycle_with_accelerometer_population_real c_0 = P[13] + P[1]*output_scale;
             const bicycle_with_accelerometer_population_real c_1 = P[27] + P[15]*output_scale;
@@ -1120,27 +902,33 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real c_12 = P[115] + P[26]*output_scale;
             const bicycle_with_accelerometer_population_real c_13 = P[117] + P[27]*output_scale;
             const bicycle_with_accelerometer_population_real c_14 = P[118] + P[28]*output_scale;
-            innovation = measured - predicted;
+            innovation = sample->measured - predicted;
             innovation_variance = c_13 + noise + c_1*output_scale;
             inv_spread = (R(1.0)/innovation_variance);
             const bicycle_with_accelerometer_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
-            if (nis > outlier_ratio) { /* an outlier counts for less */
-                inv_spread = inv_spread*outlier_ratio/nis;
+            if (nis > config->outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*config->outlier_ratio/nis;
             }
             const bicycle_with_accelerometer_population_real inv_P = (R(1.0)/P[42]);
             const bicycle_with_accelerometer_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
-            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
-            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
-            const bicycle_with_accelerometer_population_real learn = excited*inv_spread;
-            const bicycle_with_accelerometer_population_real above = surprise - R(1.0);
-            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
-            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
-            const bicycle_with_accelerometer_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
-            unlearnt = dt + unlearnt;
-            const bicycle_with_accelerometer_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+            state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
+            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_with_accelerometer_population_real learn = state->excited*inv_spread;
+            const bicycle_with_accelerometer_population_real keep_score = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate) : R(1.0));
+            const bicycle_with_accelerometer_population_real told = (state->validity < (config->validity_limit*config->validity_limit) ? inv_spread*sensitivity : R(0.0));
+            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
+            state->score = innovation*told + keep_score*state->score;
+            const bicycle_with_accelerometer_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[42]*state->heard); /* little is no evidence */
+            const bicycle_with_accelerometer_population_real doubt = (state->validity < (config->validity_limit*config->validity_limit) ? ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough) : R(0.0));
+            const bicycle_with_accelerometer_population_real above = state->surprise - R(1.0);
+            state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
+            state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));
+            const bicycle_with_accelerometer_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            state->unlearnt = sample->dt + state->unlearnt;
+            const bicycle_with_accelerometer_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
-                unlearnt = R(0.0);
+                state->unlearnt = R(0.0);
             }
             const bicycle_with_accelerometer_population_real gain_0 = c_0*inv_spread;
             const bicycle_with_accelerometer_population_real gain_1 = c_1*inv_spread;
@@ -1158,7 +946,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real gain_13 = c_13*inv_spread;
             const bicycle_with_accelerometer_population_real gain_14 = c_14*inv_spread;
             const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
-            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             P[0] = P[0] - c_0*gain_0;
             P[1] = P[1] - c_1*gain_0;
             P[2] = P[2] - c_2*gain_0;
@@ -1279,62 +1067,63 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             P[117] = P[117] - c_13*gain_13;
             P[118] = P[118] - c_14*gain_13;
             P[119] = P[119] - c_14*gain_14;
-            v_star = v_star + gain_0*innovation;
-            r_star = r_star + gain_1*innovation;
-            disturbance = disturbance + gain_2*innovation;
+            state->v_star = state->v_star + gain_0*innovation;
+            state->r_star = state->r_star + gain_1*innovation;
+            state->disturbance = state->disturbance + gain_2*innovation;
+            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
-            pi1 = pi1 + gain_4*innovation;
+            state->pi1 = state->pi1 + gain_4*innovation;
             const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
             const bicycle_with_accelerometer_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const bicycle_with_accelerometer_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
             const bicycle_with_accelerometer_population_real move_rho = gain_6*innovation;
             const bicycle_with_accelerometer_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
             const bicycle_with_accelerometer_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
             const bicycle_with_accelerometer_population_real move_grip = gain_7*innovation;
             const bicycle_with_accelerometer_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
             const bicycle_with_accelerometer_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
-            grip = grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
-            place = place + gain_8*innovation;
-            bank = bank + gain_9*innovation;
-            push = push + gain_10*innovation;
+            state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+            state->place = state->place + gain_8*innovation;
+            state->bank = state->bank + gain_9*innovation;
+            state->push = state->push + gain_10*innovation;
             const bicycle_with_accelerometer_population_real move_input_scale = gain_11*innovation;
             const bicycle_with_accelerometer_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
             const bicycle_with_accelerometer_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
-            input_scale = input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-            input_offset = input_offset + gain_12*innovation;
-            output_bias = output_bias + gain_13*innovation;
-            ay_bias = ay_bias + gain_14*innovation;
-            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
-            const bicycle_with_accelerometer_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
-            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
-            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
-            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
-            const bicycle_with_accelerometer_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
-            const bicycle_with_accelerometer_population_real seen = ((R(9.0)*expected) < (P[29] + (disturbance*disturbance)) ? R(9.0)*expected : P[29] + (disturbance*disturbance)); /* and seen */
-            const bicycle_with_accelerometer_population_real unseen = ((expected*observed_least) > (expected - P[29]) ? expected*observed_least : expected - P[29]);
-            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
-            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
-            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
-            if ((excited < R(0.5)) && (status < R(0.5))) {
-                status = R(1.0);
+            state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+            state->input_offset = state->input_offset + gain_12*innovation;
+            state->output_bias = state->output_bias + gain_13*innovation;
+            state->ay_bias = state->ay_bias + gain_14*innovation;
+            state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
+            const bicycle_with_accelerometer_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
+            state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
+            const bicycle_with_accelerometer_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
+            const bicycle_with_accelerometer_population_real seen = ((R(9.0)*expected) < (P[29] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[29] + (state->disturbance*state->disturbance)); /* and seen */
+            const bicycle_with_accelerometer_population_real unseen = ((expected*config->observed_least) > (expected - P[29]) ? expected*config->observed_least : expected - P[29]);
+            state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
+            state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
+            state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
+            if ((state->excited < R(0.5)) && (status < 1)) {
+                status = 1;
             }
-            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
-                status = R(2.0);
+            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
+                status = 2;
             }
-            if ((ay_measured < ay_limit) && (ay_measured > (-ay_limit))) { /* ay is measured too */
+            if ((sample->ay_measured < config->ay_limit) && (sample->ay_measured > (-config->ay_limit))) { /* ay is measured too */
                 const bicycle_with_accelerometer_population_real ay_scale = inv_L*(at_U*at_U); /* ay = scale x dimensionless */
-                const bicycle_with_accelerometer_population_real ay_u = disturbance + input_offset + input_scale*u_now; /* effective input at the end [-] */
-                const bicycle_with_accelerometer_population_real ay_u_plain = input_scale*u_now;
+                const bicycle_with_accelerometer_population_real ay_u = state->disturbance + state->input_offset + state->input_scale*u_now; /* effective input at the end [-] */
+                const bicycle_with_accelerometer_population_real ay_u_plain = state->input_scale*u_now;
                 const bicycle_with_accelerometer_population_real ay_s0 = (inv_U*inv_U);
-                const bicycle_with_accelerometer_population_real ay_s1 = L*ay_s0;
-                const bicycle_with_accelerometer_population_real ay_s2 = v_star + pi1*r_star;
+                const bicycle_with_accelerometer_population_real ay_s1 = config->L*ay_s0;
+                const bicycle_with_accelerometer_population_real ay_s2 = state->v_star + state->pi1*state->r_star;
                 const bicycle_with_accelerometer_population_real ay_s3 = ay_s2 - ay_u;
-                const bicycle_with_accelerometer_population_real ay_s4 = pi1 - R(1.0);
+                const bicycle_with_accelerometer_population_real ay_s4 = state->pi1 - R(1.0);
                 const bicycle_with_accelerometer_population_real ay_s5 = (R(1.0)/ay_s4);
-                const bicycle_with_accelerometer_population_real ay_s6 = (R(1.0)/grip);
-                const bicycle_with_accelerometer_population_real ay_s7 = K*ay_s6*inv_L;
+                const bicycle_with_accelerometer_population_real ay_s6 = (R(1.0)/state->grip);
+                const bicycle_with_accelerometer_population_real ay_s7 = state->K*ay_s6*inv_L;
                 const bicycle_with_accelerometer_population_real ay_s8 = ay_s5*ay_s7;
                 const bicycle_with_accelerometer_population_real ay_s9 = ay_s3*ay_s8;
                 const bicycle_with_accelerometer_population_real ay_s10 = (((-ay_s9)) > (ay_s9) ? (-ay_s9) : ay_s9);
@@ -1342,15 +1131,15 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_s12 = R(1.0) + ay_s10*ay_s11;
                 const bicycle_with_accelerometer_population_real ay_s13 = (R(1.0)/ay_s12);
                 const bicycle_with_accelerometer_population_real ay_s14 = ay_s11*ay_s13*ay_s9;
-                const bicycle_with_accelerometer_population_real ay_s15 = ay_s8*eta;
-                const bicycle_with_accelerometer_population_real ay_s16 = ay_s15*(ay_s2 - r_star);
+                const bicycle_with_accelerometer_population_real ay_s15 = ay_s8*state->eta;
+                const bicycle_with_accelerometer_population_real ay_s16 = ay_s15*(ay_s2 - state->r_star);
                 const bicycle_with_accelerometer_population_real ay_s17 = (((-ay_s16)) > (ay_s16) ? (-ay_s16) : ay_s16);
                 const bicycle_with_accelerometer_population_real ay_s18 = R(1.0) + ay_s17*(R(1.0) + R(0.7)*ay_s17);
                 const bicycle_with_accelerometer_population_real ay_s19 = R(1.0) + ay_s17*ay_s18;
                 const bicycle_with_accelerometer_population_real ay_s20 = ay_s16*ay_s18/ay_s19;
-                const bicycle_with_accelerometer_population_real ay_s21 = ay_s1*grip;
-                const bicycle_with_accelerometer_population_real ay_s22 = (R(1.0)/rho);
-                const bicycle_with_accelerometer_population_real ay_s23 = pi1 - place;
+                const bicycle_with_accelerometer_population_real ay_s21 = ay_s1*state->grip;
+                const bicycle_with_accelerometer_population_real ay_s22 = (R(1.0)/state->rho);
+                const bicycle_with_accelerometer_population_real ay_s23 = state->pi1 - state->place;
                 const bicycle_with_accelerometer_population_real ay_s24 = ay_s22*ay_s23;
                 const bicycle_with_accelerometer_population_real ay_s25 = ay_s21*ay_s24;
                 const bicycle_with_accelerometer_population_real ay_s26 = (R(1.0)/(ay_s12*ay_s12));
@@ -1360,12 +1149,12 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_s30 = (-ay_s29);
                 const bicycle_with_accelerometer_population_real ay_s31 = (R(1.0) + ay_s17*(R(2.0) + R(2.1)*ay_s17))/((ay_s19*ay_s19));
                 const bicycle_with_accelerometer_population_real ay_s32 = ay_s15*ay_s31;
-                const bicycle_with_accelerometer_population_real ay_s33 = ay_s29*pi1;
+                const bicycle_with_accelerometer_population_real ay_s33 = ay_s29*state->pi1;
                 const bicycle_with_accelerometer_population_real ay_s34 = (-ay_s33);
-                const bicycle_with_accelerometer_population_real ay_s35 = ay_s31*ay_s7*eta;
+                const bicycle_with_accelerometer_population_real ay_s35 = ay_s31*ay_s7*state->eta;
                 const bicycle_with_accelerometer_population_real ay_s36 = ay_s5*inv_L;
                 const bicycle_with_accelerometer_population_real ay_s37 = ay_s36*ay_s6;
-                const bicycle_with_accelerometer_population_real ay_s38 = v_star_plain + pi1*r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s38 = state->v_star_plain + state->pi1*state->r_star_plain;
                 const bicycle_with_accelerometer_population_real ay_s39 = ay_s38 - ay_u_plain;
                 const bicycle_with_accelerometer_population_real ay_s40 = ay_s39*ay_s8;
                 const bicycle_with_accelerometer_population_real ay_s41 = (((-ay_s40)) > (ay_s40) ? (-ay_s40) : ay_s40);
@@ -1376,13 +1165,13 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_s46 = ay_s44*ay_s45;
                 const bicycle_with_accelerometer_population_real ay_s47 = ay_s39*ay_s46;
                 const bicycle_with_accelerometer_population_real ay_s48 = ay_s37*ay_s47;
-                const bicycle_with_accelerometer_population_real ay_s49 = ay_s38 - r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s49 = ay_s38 - state->r_star_plain;
                 const bicycle_with_accelerometer_population_real ay_s50 = ay_s15*ay_s49;
                 const bicycle_with_accelerometer_population_real ay_s51 = (((-ay_s50)) > (ay_s50) ? (-ay_s50) : ay_s50);
                 const bicycle_with_accelerometer_population_real ay_s52 = R(1.0) + ay_s51*(R(1.0) + R(0.7)*ay_s51);
                 const bicycle_with_accelerometer_population_real ay_s53 = R(1.0) + ay_s51*ay_s52;
                 const bicycle_with_accelerometer_population_real ay_s54 = (R(1.0) + ay_s51*(R(2.0) + R(2.1)*ay_s51))/((ay_s53*ay_s53));
-                const bicycle_with_accelerometer_population_real ay_s55 = ay_s49*eta;
+                const bicycle_with_accelerometer_population_real ay_s55 = ay_s49*state->eta;
                 const bicycle_with_accelerometer_population_real ay_s56 = ay_s54*ay_s55;
                 const bicycle_with_accelerometer_population_real ay_s57 = ay_s37*ay_s56;
                 const bicycle_with_accelerometer_population_real ay_s58 = (R(1.0)/ay_s43);
@@ -1391,52 +1180,52 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_s61 = ay_s60 - ay_s59;
                 const bicycle_with_accelerometer_population_real ay_s62 = (-ay_s61);
                 const bicycle_with_accelerometer_population_real ay_s63 = ay_s22*ay_s62;
-                const bicycle_with_accelerometer_population_real ay_s64 = ay_s8*r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s64 = ay_s8*state->r_star_plain;
                 const bicycle_with_accelerometer_population_real ay_s65 = ay_s7/((ay_s4*ay_s4));
                 const bicycle_with_accelerometer_population_real ay_s66 = ay_s64 - ay_s39*ay_s65;
                 const bicycle_with_accelerometer_population_real ay_s67 = ay_s46*ay_s66;
-                const bicycle_with_accelerometer_population_real ay_s68 = ay_s54*(ay_s64*eta - ay_s55*ay_s65);
-                const bicycle_with_accelerometer_population_real ay_s69 = K*ay_s36;
+                const bicycle_with_accelerometer_population_real ay_s68 = ay_s54*(ay_s64*state->eta - ay_s55*ay_s65);
+                const bicycle_with_accelerometer_population_real ay_s69 = state->K*ay_s36;
                 const bicycle_with_accelerometer_population_real ay_s70 = ay_s1*ay_s69;
                 const bicycle_with_accelerometer_population_real ay_s71 = ay_s49*ay_s54*ay_s70;
-                const bicycle_with_accelerometer_population_real ay_s72 = ay_scale*grip;
+                const bicycle_with_accelerometer_population_real ay_s72 = ay_scale*state->grip;
                 const bicycle_with_accelerometer_population_real ay_s73 = ay_s1*ay_s63;
-                const bicycle_with_accelerometer_population_real ay_s74 = ay_s69/((grip*grip));
+                const bicycle_with_accelerometer_population_real ay_s74 = ay_s69/((state->grip*state->grip));
                 const bicycle_with_accelerometer_population_real ay_s75 = ay_s47*ay_s74;
                 const bicycle_with_accelerometer_population_real ay_s76 = ay_s56*ay_s74;
-                const bicycle_with_accelerometer_population_real ay_response = ay_scale*(ay_s1*push + ay_s25*(ay_s14 - ay_s20) - ay_s21*(K*ay_s11*ay_s13*ay_s3*ay_s5*ay_s6*inv_L*pi1 - ay_s14 - ay_s20*pi1));
-                const bicycle_with_accelerometer_population_real ay_by_v_star = ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*((-ay_s30) - ay_s32) - ay_s21*((-ay_s29) - ay_s34 - ay_s32*pi1));
-                const bicycle_with_accelerometer_population_real ay_by_r_star = ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*((-ay_s34) - ay_s35) - ay_s21*(K*ay_s26*ay_s27*ay_s5*ay_s6*inv_L*(pi1*pi1) - ay_s33 - ay_s35*pi1));
-                const bicycle_with_accelerometer_population_real ay_by_K = K*ay_scale*(L*ay_s0*ay_s22*ay_s23*grip*(ay_s48 - ay_s57) - ay_s21*(ay_s39*ay_s44*ay_s45*ay_s5*ay_s6*inv_L*pi1 - ay_s48 - ay_s57*pi1));
-                const bicycle_with_accelerometer_population_real ay_by_pi1 = ay_scale*(ay_s21*ay_s63 + ay_s25*(ay_s67 - ay_s68) - ay_s21*(ay_s44*ay_s45*ay_s66*pi1 - ay_s61 - ay_s67 - ay_s68*pi1));
-                const bicycle_with_accelerometer_population_real ay_by_eta = ay_scale*eta*(ay_s71*pi1 - ay_s24*ay_s71);
+                const bicycle_with_accelerometer_population_real ay_response = ay_scale*(ay_s1*state->push + ay_s25*(ay_s14 - ay_s20) - ay_s21*(state->K*ay_s11*ay_s13*ay_s3*ay_s5*ay_s6*inv_L*state->pi1 - ay_s14 - ay_s20*state->pi1));
+                const bicycle_with_accelerometer_population_real ay_by_v_star = ay_scale*(config->L*ay_s0*ay_s22*ay_s23*state->grip*((-ay_s30) - ay_s32) - ay_s21*((-ay_s29) - ay_s34 - ay_s32*state->pi1));
+                const bicycle_with_accelerometer_population_real ay_by_r_star = ay_scale*(config->L*ay_s0*ay_s22*ay_s23*state->grip*((-ay_s34) - ay_s35) - ay_s21*(state->K*ay_s26*ay_s27*ay_s5*ay_s6*inv_L*(state->pi1*state->pi1) - ay_s33 - ay_s35*state->pi1));
+                const bicycle_with_accelerometer_population_real ay_by_K = state->K*ay_scale*(config->L*ay_s0*ay_s22*ay_s23*state->grip*(ay_s48 - ay_s57) - ay_s21*(ay_s39*ay_s44*ay_s45*ay_s5*ay_s6*inv_L*state->pi1 - ay_s48 - ay_s57*state->pi1));
+                const bicycle_with_accelerometer_population_real ay_by_pi1 = ay_scale*(ay_s21*ay_s63 + ay_s25*(ay_s67 - ay_s68) - ay_s21*(ay_s44*ay_s45*ay_s66*state->pi1 - ay_s61 - ay_s67 - ay_s68*state->pi1));
+                const bicycle_with_accelerometer_population_real ay_by_eta = ay_scale*state->eta*(ay_s71*state->pi1 - ay_s24*ay_s71);
                 const bicycle_with_accelerometer_population_real ay_by_rho = (-ay_s23*ay_s72*ay_s73);
-                const bicycle_with_accelerometer_population_real ay_by_grip = ay_s72*(L*ay_s0*ay_s22*ay_s23*ay_s62 + L*ay_s0*ay_s22*ay_s23*grip*(ay_s76 - ay_s75) - ay_s1*(K*ay_s39*ay_s42*ay_s5*ay_s58*ay_s6*inv_L*pi1 - ay_s59 - ay_s60*pi1) - ay_s21*(ay_s75 + ay_s76*pi1 - ay_s75*pi1));
+                const bicycle_with_accelerometer_population_real ay_by_grip = ay_s72*(config->L*ay_s0*ay_s22*ay_s23*ay_s62 + config->L*ay_s0*ay_s22*ay_s23*state->grip*(ay_s76 - ay_s75) - ay_s1*(state->K*ay_s39*ay_s42*ay_s5*ay_s58*ay_s6*inv_L*state->pi1 - ay_s59 - ay_s60*state->pi1) - ay_s21*(ay_s75 + ay_s76*state->pi1 - ay_s75*state->pi1));
                 const bicycle_with_accelerometer_population_real ay_by_place = (-ay_s72*ay_s73);
                 const bicycle_with_accelerometer_population_real ay_by_push = ay_s1*ay_scale;
                 const bicycle_with_accelerometer_population_real ay_by_u = ay_scale*((-ay_s21*((-ay_s30) - ay_s33)) - ay_s24*ay_s28*ay_s70);
-                ay_activity = ay_activity + ((ay_response*ay_response) - ay_activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
-                const bicycle_with_accelerometer_population_real ay_noise = ay_noise_scale*(ay_variance + ay_activity*(ay_share*ay_share))*((R(1.0)) > (R(2.0)*ay_time*inv_dt) ? R(1.0) : R(2.0)*ay_time*inv_dt); /* variance of ay */
-                const bicycle_with_accelerometer_population_real ay_c_0 = (P[14] + P[0]*ay_by_v_star + P[1]*ay_by_r_star + P[10]*ay_by_push + P[12]*ay_by_u + P[2]*ay_by_u) + (P[3]*ay_by_K + P[4]*ay_by_pi1 + P[5]*ay_by_eta + P[6]*ay_by_rho + P[7]*ay_by_grip + P[8]*ay_by_place + P[11]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_1 = (P[28] + P[1]*ay_by_v_star + P[15]*ay_by_r_star + P[16]*ay_by_u + P[17]*ay_by_K + P[18]*ay_by_pi1) + (P[19]*ay_by_eta + P[20]*ay_by_rho + P[21]*ay_by_grip + P[22]*ay_by_place + P[24]*ay_by_push + P[26]*ay_by_u + P[25]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_2 = (P[41] + P[16]*ay_by_r_star + P[2]*ay_by_v_star + P[29]*ay_by_u + P[30]*ay_by_K + P[31]*ay_by_pi1) + (P[32]*ay_by_eta + P[33]*ay_by_rho + P[34]*ay_by_grip + P[35]*ay_by_place + P[37]*ay_by_push + P[39]*ay_by_u + P[38]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_3 = (P[53] + P[17]*ay_by_r_star + P[3]*ay_by_v_star + P[30]*ay_by_u + P[42]*ay_by_K + P[43]*ay_by_pi1) + (P[44]*ay_by_eta + P[45]*ay_by_rho + P[46]*ay_by_grip + P[47]*ay_by_place + P[49]*ay_by_push + P[51]*ay_by_u + P[50]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_4 = (P[64] + P[18]*ay_by_r_star + P[31]*ay_by_u + P[4]*ay_by_v_star + P[43]*ay_by_K + P[54]*ay_by_pi1) + (P[55]*ay_by_eta + P[56]*ay_by_rho + P[57]*ay_by_grip + P[58]*ay_by_place + P[60]*ay_by_push + P[62]*ay_by_u + P[61]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_5 = (P[74] + P[19]*ay_by_r_star + P[32]*ay_by_u + P[44]*ay_by_K + P[5]*ay_by_v_star + P[55]*ay_by_pi1) + (P[65]*ay_by_eta + P[66]*ay_by_rho + P[67]*ay_by_grip + P[68]*ay_by_place + P[70]*ay_by_push + P[72]*ay_by_u + P[71]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_6 = (P[83] + P[20]*ay_by_r_star + P[33]*ay_by_u + P[45]*ay_by_K + P[56]*ay_by_pi1 + P[6]*ay_by_v_star) + (P[66]*ay_by_eta + P[75]*ay_by_rho + P[76]*ay_by_grip + P[77]*ay_by_place + P[79]*ay_by_push + P[81]*ay_by_u + P[80]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_7 = (P[91] + P[21]*ay_by_r_star + P[34]*ay_by_u + P[46]*ay_by_K + P[57]*ay_by_pi1 + P[67]*ay_by_eta) + (P[7]*ay_by_v_star + P[76]*ay_by_rho + P[84]*ay_by_grip + P[85]*ay_by_place + P[87]*ay_by_push + P[89]*ay_by_u + P[88]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_8 = (P[98] + P[22]*ay_by_r_star + P[35]*ay_by_u + P[47]*ay_by_K + P[58]*ay_by_pi1 + P[68]*ay_by_eta) + (P[77]*ay_by_rho + P[8]*ay_by_v_star + P[85]*ay_by_grip + P[92]*ay_by_place + P[94]*ay_by_push + P[96]*ay_by_u + P[95]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_10 = (P[109] + P[10]*ay_by_v_star + P[105]*ay_by_push + P[107]*ay_by_u + P[24]*ay_by_r_star + P[37]*ay_by_u) + (P[49]*ay_by_K + P[60]*ay_by_pi1 + P[70]*ay_by_eta + P[79]*ay_by_rho + P[87]*ay_by_grip + P[94]*ay_by_place + P[106]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_11 = (P[113] + P[106]*ay_by_push + P[11]*ay_by_v_star + P[111]*ay_by_u + P[25]*ay_by_r_star + P[38]*ay_by_u) + (P[50]*ay_by_K + P[61]*ay_by_pi1 + P[71]*ay_by_eta + P[80]*ay_by_rho + P[88]*ay_by_grip + P[95]*ay_by_place + P[110]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_12 = (P[116] + P[107]*ay_by_push + P[114]*ay_by_u + P[12]*ay_by_v_star + P[26]*ay_by_r_star + P[39]*ay_by_u) + (P[51]*ay_by_K + P[62]*ay_by_pi1 + P[72]*ay_by_eta + P[81]*ay_by_rho + P[89]*ay_by_grip + P[96]*ay_by_place + P[111]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_14 = (P[119] + P[109]*ay_by_push + P[116]*ay_by_u + P[14]*ay_by_v_star + P[28]*ay_by_r_star + P[41]*ay_by_u) + (P[53]*ay_by_K + P[64]*ay_by_pi1 + P[74]*ay_by_eta + P[83]*ay_by_rho + P[91]*ay_by_grip + P[98]*ay_by_place + P[113]*ay_by_u*input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_innovation = ay_measured - ay_bias - ay_response - ay_by_K*move;
-                ay_inv_spread = (R(1.0)/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*input_scale*u_now)));
+                state->ay_activity = state->ay_activity + ((ay_response*ay_response) - state->ay_activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
+                const bicycle_with_accelerometer_population_real ay_noise = state->ay_noise_scale*(config->ay_variance + state->ay_activity*(config->ay_share*config->ay_share))*((R(1.0)) > (R(2.0)*config->ay_time*inv_dt) ? R(1.0) : R(2.0)*config->ay_time*inv_dt); /* variance of ay */
+                const bicycle_with_accelerometer_population_real ay_c_0 = (P[14] + P[0]*ay_by_v_star + P[1]*ay_by_r_star + P[10]*ay_by_push + P[12]*ay_by_u + P[2]*ay_by_u) + (P[3]*ay_by_K + P[4]*ay_by_pi1 + P[5]*ay_by_eta + P[6]*ay_by_rho + P[7]*ay_by_grip + P[8]*ay_by_place + P[11]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_1 = (P[28] + P[1]*ay_by_v_star + P[15]*ay_by_r_star + P[16]*ay_by_u + P[17]*ay_by_K + P[18]*ay_by_pi1) + (P[19]*ay_by_eta + P[20]*ay_by_rho + P[21]*ay_by_grip + P[22]*ay_by_place + P[24]*ay_by_push + P[26]*ay_by_u + P[25]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_2 = (P[41] + P[16]*ay_by_r_star + P[2]*ay_by_v_star + P[29]*ay_by_u + P[30]*ay_by_K + P[31]*ay_by_pi1) + (P[32]*ay_by_eta + P[33]*ay_by_rho + P[34]*ay_by_grip + P[35]*ay_by_place + P[37]*ay_by_push + P[39]*ay_by_u + P[38]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_3 = (P[53] + P[17]*ay_by_r_star + P[3]*ay_by_v_star + P[30]*ay_by_u + P[42]*ay_by_K + P[43]*ay_by_pi1) + (P[44]*ay_by_eta + P[45]*ay_by_rho + P[46]*ay_by_grip + P[47]*ay_by_place + P[49]*ay_by_push + P[51]*ay_by_u + P[50]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_4 = (P[64] + P[18]*ay_by_r_star + P[31]*ay_by_u + P[4]*ay_by_v_star + P[43]*ay_by_K + P[54]*ay_by_pi1) + (P[55]*ay_by_eta + P[56]*ay_by_rho + P[57]*ay_by_grip + P[58]*ay_by_place + P[60]*ay_by_push + P[62]*ay_by_u + P[61]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_5 = (P[74] + P[19]*ay_by_r_star + P[32]*ay_by_u + P[44]*ay_by_K + P[5]*ay_by_v_star + P[55]*ay_by_pi1) + (P[65]*ay_by_eta + P[66]*ay_by_rho + P[67]*ay_by_grip + P[68]*ay_by_place + P[70]*ay_by_push + P[72]*ay_by_u + P[71]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_6 = (P[83] + P[20]*ay_by_r_star + P[33]*ay_by_u + P[45]*ay_by_K + P[56]*ay_by_pi1 + P[6]*ay_by_v_star) + (P[66]*ay_by_eta + P[75]*ay_by_rho + P[76]*ay_by_grip + P[77]*ay_by_place + P[79]*ay_by_push + P[81]*ay_by_u + P[80]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_7 = (P[91] + P[21]*ay_by_r_star + P[34]*ay_by_u + P[46]*ay_by_K + P[57]*ay_by_pi1 + P[67]*ay_by_eta) + (P[7]*ay_by_v_star + P[76]*ay_by_rho + P[84]*ay_by_grip + P[85]*ay_by_place + P[87]*ay_by_push + P[89]*ay_by_u + P[88]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_8 = (P[98] + P[22]*ay_by_r_star + P[35]*ay_by_u + P[47]*ay_by_K + P[58]*ay_by_pi1 + P[68]*ay_by_eta) + (P[77]*ay_by_rho + P[8]*ay_by_v_star + P[85]*ay_by_grip + P[92]*ay_by_place + P[94]*ay_by_push + P[96]*ay_by_u + P[95]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_10 = (P[109] + P[10]*ay_by_v_star + P[105]*ay_by_push + P[107]*ay_by_u + P[24]*ay_by_r_star + P[37]*ay_by_u) + (P[49]*ay_by_K + P[60]*ay_by_pi1 + P[70]*ay_by_eta + P[79]*ay_by_rho + P[87]*ay_by_grip + P[94]*ay_by_place + P[106]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_11 = (P[113] + P[106]*ay_by_push + P[11]*ay_by_v_star + P[111]*ay_by_u + P[25]*ay_by_r_star + P[38]*ay_by_u) + (P[50]*ay_by_K + P[61]*ay_by_pi1 + P[71]*ay_by_eta + P[80]*ay_by_rho + P[88]*ay_by_grip + P[95]*ay_by_place + P[110]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_12 = (P[116] + P[107]*ay_by_push + P[114]*ay_by_u + P[12]*ay_by_v_star + P[26]*ay_by_r_star + P[39]*ay_by_u) + (P[51]*ay_by_K + P[62]*ay_by_pi1 + P[72]*ay_by_eta + P[81]*ay_by_rho + P[89]*ay_by_grip + P[96]*ay_by_place + P[111]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_14 = (P[119] + P[109]*ay_by_push + P[116]*ay_by_u + P[14]*ay_by_v_star + P[28]*ay_by_r_star + P[41]*ay_by_u) + (P[53]*ay_by_K + P[64]*ay_by_pi1 + P[74]*ay_by_eta + P[83]*ay_by_rho + P[91]*ay_by_grip + P[98]*ay_by_place + P[113]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_innovation = sample->ay_measured - state->ay_bias - ay_response - ay_by_K*move;
+                ay_inv_spread = (R(1.0)/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*state->input_scale*u_now)));
                 const bicycle_with_accelerometer_population_real ay_nis = ay_inv_spread*(ay_innovation*ay_innovation); /* normalised innovation squared */
-                if (ay_nis > outlier_ratio) { /* an outlier counts for less */
-                    ay_inv_spread = ay_inv_spread*outlier_ratio/ay_nis;
+                if (ay_nis > config->outlier_ratio) { /* an outlier counts for less */
+                    ay_inv_spread = ay_inv_spread*config->outlier_ratio/ay_nis;
                 }
                 const bicycle_with_accelerometer_population_real ay_learn = (learn > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_slow = (learn_slow > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
@@ -1458,7 +1247,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_gain_14 = ay_c_14*ay_inv_spread;
                 const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[42]);
                 const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
-                information = information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
+                state->information = state->information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
                 P[0] = P[0] - ay_c_0*ay_gain_0;
                 P[1] = P[1] - ay_c_1*ay_gain_0;
                 P[2] = P[2] - ay_c_2*ay_gain_0;
@@ -1579,116 +1368,82 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 P[117] = P[117] - ay_c_13*ay_gain_13;
                 P[118] = P[118] - ay_c_14*ay_gain_13;
                 P[119] = P[119] - ay_c_14*ay_gain_14;
-                v_star = v_star + ay_gain_0*ay_innovation;
-                r_star = r_star + ay_gain_1*ay_innovation;
-                disturbance = disturbance + ay_gain_2*ay_innovation;
+                state->v_star = state->v_star + ay_gain_0*ay_innovation;
+                state->r_star = state->r_star + ay_gain_1*ay_innovation;
+                state->disturbance = state->disturbance + ay_gain_2*ay_innovation;
+                state->score = state->score - ay_gain_3*ay_innovation*state->heard; /* at the estimate as it is now */
                 move = move + ay_gain_3*ay_innovation;
-                pi1 = pi1 + ay_gain_4*ay_innovation;
+                state->pi1 = state->pi1 + ay_gain_4*ay_innovation;
                 const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;
                 const bicycle_with_accelerometer_population_real above_ay_move_eta = (((-R(1.0))) > (ay_move_eta) ? (-R(1.0)) : ay_move_eta);
                 const bicycle_with_accelerometer_population_real bounded_ay_move_eta = ((R(1.0)) < (above_ay_move_eta) ? R(1.0) : above_ay_move_eta);
-                eta = eta*(R(1.0) + bounded_ay_move_eta*(R(1.0) + bounded_ay_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_eta)));
+                state->eta = state->eta*(R(1.0) + bounded_ay_move_eta*(R(1.0) + bounded_ay_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_eta)));
                 const bicycle_with_accelerometer_population_real ay_move_rho = ay_gain_6*ay_innovation;
                 const bicycle_with_accelerometer_population_real above_ay_move_rho = (((-R(1.0))) > (ay_move_rho) ? (-R(1.0)) : ay_move_rho);
                 const bicycle_with_accelerometer_population_real bounded_ay_move_rho = ((R(1.0)) < (above_ay_move_rho) ? R(1.0) : above_ay_move_rho);
-                rho = rho*(R(1.0) + bounded_ay_move_rho*(R(1.0) + bounded_ay_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_rho)));
+                state->rho = state->rho*(R(1.0) + bounded_ay_move_rho*(R(1.0) + bounded_ay_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_rho)));
                 const bicycle_with_accelerometer_population_real ay_move_grip = ay_gain_7*ay_innovation;
                 const bicycle_with_accelerometer_population_real above_ay_move_grip = (((-R(1.0))) > (ay_move_grip) ? (-R(1.0)) : ay_move_grip);
                 const bicycle_with_accelerometer_population_real bounded_ay_move_grip = ((R(1.0)) < (above_ay_move_grip) ? R(1.0) : above_ay_move_grip);
-                grip = grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
-                place = place + ay_gain_8*ay_innovation;
-                bank = bank + ay_gain_9*ay_innovation;
-                push = push + ay_gain_10*ay_innovation;
+                state->grip = state->grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
+                state->place = state->place + ay_gain_8*ay_innovation;
+                state->bank = state->bank + ay_gain_9*ay_innovation;
+                state->push = state->push + ay_gain_10*ay_innovation;
                 const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_11*ay_innovation;
                 const bicycle_with_accelerometer_population_real above_ay_move_input_scale = (((-R(1.0))) > (ay_move_input_scale) ? (-R(1.0)) : ay_move_input_scale);
                 const bicycle_with_accelerometer_population_real bounded_ay_move_input_scale = ((R(1.0)) < (above_ay_move_input_scale) ? R(1.0) : above_ay_move_input_scale);
-                input_scale = input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
-                input_offset = input_offset + ay_gain_12*ay_innovation;
-                output_bias = output_bias + ay_gain_13*ay_innovation;
-                ay_bias = ay_bias + ay_gain_14*ay_innovation;
-                const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
-                ay_noise_scale = ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
-                ay_noise_scale = ((ay_noise_scale) > (ay_noise_scale_low) ? ay_noise_scale : ay_noise_scale_low);
-                ay_noise_scale = ((ay_noise_scale) < (ay_noise_scale_high) ? ay_noise_scale : ay_noise_scale_high);
+                state->input_scale = state->input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
+                state->input_offset = state->input_offset + ay_gain_12*ay_innovation;
+                state->output_bias = state->output_bias + ay_gain_13*ay_innovation;
+                state->ay_bias = state->ay_bias + ay_gain_14*ay_innovation;
+                const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+                state->ay_noise_scale = state->ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
+                state->ay_noise_scale = ((state->ay_noise_scale) > (config->ay_noise_scale_low) ? state->ay_noise_scale : config->ay_noise_scale_low);
+                state->ay_noise_scale = ((state->ay_noise_scale) < (config->ay_noise_scale_high) ? state->ay_noise_scale : config->ay_noise_scale_high);
             }
         }
         const bicycle_with_accelerometer_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_with_accelerometer_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
-        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (bank < bank_low) || (bank > bank_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (place < place_low) || (place > place_high) || (push < push_low) || (push > push_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
-            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
-            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
-            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
-            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
-            grip = ((grip_high) < (((grip) > (grip_low) ? grip : grip_low)) ? grip_high : ((grip) > (grip_low) ? grip : grip_low));
-            place = ((place_high) < (((place) > (place_low) ? place : place_low)) ? place_high : ((place) > (place_low) ? place : place_low));
-            bank = ((bank_high) < (((bank) > (bank_low) ? bank : bank_low)) ? bank_high : ((bank) > (bank_low) ? bank : bank_low));
-            push = ((push_high) < (((push) > (push_low) ? push : push_low)) ? push_high : ((push) > (push_low) ? push : push_low));
-            input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
+        state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->bank < config->bank_low) || (state->bank > config->bank_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->grip < config->grip_low) || (state->grip > config->grip_high) || (state->input_scale < config->input_scale_low) || (state->input_scale > config->input_scale_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->place < config->place_low) || (state->place > config->place_high) || (state->push < config->push_low) || (state->push > config->push_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
+            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
+            state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
+            state->place = ((config->place_high) < (((state->place) > (config->place_low) ? state->place : config->place_low)) ? config->place_high : ((state->place) > (config->place_low) ? state->place : config->place_low));
+            state->bank = ((config->bank_high) < (((state->bank) > (config->bank_low) ? state->bank : config->bank_low)) ? config->bank_high : ((state->bank) > (config->bank_low) ? state->bank : config->bank_low));
+            state->push = ((config->push_high) < (((state->push) > (config->push_low) ? state->push : config->push_low)) ? config->push_high : ((state->push) > (config->push_low) ? state->push : config->push_low));
+            state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
             if (usable > R(0.5)) {
-                status = R(3.0);
+                status = 3;
             }
         }
         noise_now = noise;
-        disturbance_now = disturbance_scale*w_nominal;
-        last_input = u_now;
-        last_U = U_now;
+        disturbance_now = state->disturbance_scale*w_nominal;
+        state->last_input = u_now;
+        state->last_U = U_now;
         if (usable > R(0.5)) {
-            age = R(0.0);
-            started = R(1.0);
+            state->age = R(0.0);
+            state->started = R(1.0);
         }
     } else {
-        status = R(7.0);
-        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
+        status = 7;
+        state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
-    estimate = K;
+    estimate = state->K;
     variance = P[42];
-    information_gained = information;
-    pi1_now = pi1;
-    eta_now = eta;
-    rho_now = rho;
-    grip_now = grip;
-    place_now = place;
-    bank_now = bank;
-    push_now = push;
-    offset_now = input_offset;
-    bias_now = output_bias;
+    information_gained = state->information;
+    pi1_now = state->pi1;
+    eta_now = state->eta;
+    rho_now = state->rho;
+    grip_now = state->grip;
+    place_now = state->place;
+    bank_now = state->bank;
+    push_now = state->push;
+    offset_now = state->input_offset;
+    bias_now = state->output_bias;
 
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_plain = v_star_plain;
-    state->r_star_plain = r_star_plain;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->grip = grip;
-    state->place = place;
-    state->bank = bank;
-    state->push = push;
-    state->input_scale = input_scale;
-    state->input_offset = input_offset;
-    state->output_bias = output_bias;
-    state->ay_bias = ay_bias;
-    state->ay_activity = ay_activity;
-    state->ay_noise_scale = ay_noise_scale;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
@@ -1706,7 +1461,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     output->bias_now = bias_now;
     output->noise_now = noise_now;
     output->disturbance_now = disturbance_now;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

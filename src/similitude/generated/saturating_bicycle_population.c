@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1414 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 95 reals, configuration 73 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1470 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -96,6 +96,11 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
+    saturating_bicycle_population_real score_rate;   /* [1/s] rate at which the score of the first unknown is forgotten */
+    saturating_bicycle_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
+    saturating_bicycle_population_real score_most;   /* [-] most that it counts for beyond that, in units of surprise */
+    saturating_bicycle_population_real faint_drift;  /* [1/s] further diffusion of ln K while a jump could not show */
+    saturating_bicycle_population_real inv_telling;  /* [-] 1/information of late in which a jump shows */
     saturating_bicycle_population_real observed_least; /* [-] least share of the disturbance taken as observed */
     saturating_bicycle_population_real outlier_ratio; /* [-] squared innovation over its variance beyond which it is bounded */
     saturating_bicycle_population_real gap;          /* [s] longest time without a usable sample before a restart */
@@ -128,6 +133,8 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     saturating_bicycle_population_real jump;         /* [-] surprise taken as a jump of the first unknown */
     saturating_bicycle_population_real surprise;     /* [-] recent mean of the normalised innovation squared */
+    saturating_bicycle_population_real score;        /* [-] recent slope of the log likelihood along the first unknown */
+    saturating_bicycle_population_real heard;        /* [-] recent information about the first unknown */
     saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
     saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
     saturating_bicycle_population_real unlearnt;     /* [s] time since the seldom learnt unknowns last learnt anything */
@@ -166,76 +173,20 @@ typedef struct saturating_bicycle_population_output {
 /* The state before the first sample: the prior. */
 SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state)
 {
-    const saturating_bicycle_population_real K_prior = config->K_prior;
-    const saturating_bicycle_population_real pi1_prior = config->pi1_prior;
-    const saturating_bicycle_population_real eta_prior = config->eta_prior;
-    const saturating_bicycle_population_real rho_prior = config->rho_prior;
-    const saturating_bicycle_population_real grip_prior = config->grip_prior;
-    const saturating_bicycle_population_real P_prior_0 = config->P_prior[0];
-    const saturating_bicycle_population_real P_prior_1 = config->P_prior[1];
-    const saturating_bicycle_population_real P_prior_2 = config->P_prior[2];
-    const saturating_bicycle_population_real P_prior_3 = config->P_prior[3];
-    const saturating_bicycle_population_real P_prior_4 = config->P_prior[4];
-    const saturating_bicycle_population_real P_prior_5 = config->P_prior[5];
-    const saturating_bicycle_population_real P_prior_6 = config->P_prior[6];
-    const saturating_bicycle_population_real P_prior_7 = config->P_prior[7];
-    const saturating_bicycle_population_real P_prior_8 = config->P_prior[8];
-    const saturating_bicycle_population_real P_prior_9 = config->P_prior[9];
-    const saturating_bicycle_population_real P_prior_10 = config->P_prior[10];
-    const saturating_bicycle_population_real P_prior_11 = config->P_prior[11];
-    const saturating_bicycle_population_real P_prior_12 = config->P_prior[12];
-    const saturating_bicycle_population_real P_prior_13 = config->P_prior[13];
-    const saturating_bicycle_population_real P_prior_14 = config->P_prior[14];
-    const saturating_bicycle_population_real input_scale_sd = config->input_scale_sd;
-    const saturating_bicycle_population_real input_offset_sd = config->input_offset_sd;
-    const saturating_bicycle_population_real output_bias_sd = config->output_bias_sd;
-    const saturating_bicycle_population_real v_star_sd = config->v_star_sd;
-    const saturating_bicycle_population_real r_star_sd = config->r_star_sd;
-    const saturating_bicycle_population_real disturbance_floor = config->disturbance_floor;
-    const saturating_bicycle_population_real disturbance_scale_start = config->disturbance_scale_start;
     saturating_bicycle_population_real *const P = state->P;
-    saturating_bicycle_population_real K;
-    saturating_bicycle_population_real activity;
-    saturating_bicycle_population_real age;
-    saturating_bicycle_population_real disturbance;
-    saturating_bicycle_population_real disturbance_scale;
-    saturating_bicycle_population_real eta;
-    saturating_bicycle_population_real excitation;
-    saturating_bicycle_population_real excited;
-    saturating_bicycle_population_real grip;
-    saturating_bicycle_population_real information;
-    saturating_bicycle_population_real input_offset;
-    saturating_bicycle_population_real input_scale;
-    saturating_bicycle_population_real jump;
-    saturating_bicycle_population_real last_U;
-    saturating_bicycle_population_real last_input;
-    saturating_bicycle_population_real noise_scale;
-    saturating_bicycle_population_real output_bias;
-    saturating_bicycle_population_real pi1;
-    saturating_bicycle_population_real r_star;
-    saturating_bicycle_population_real r_star_plain;
-    saturating_bicycle_population_real restlessness;
-    saturating_bicycle_population_real rho;
-    saturating_bicycle_population_real settling;
-    saturating_bicycle_population_real started;
-    saturating_bicycle_population_real surprise;
-    saturating_bicycle_population_real unlearnt;
-    saturating_bicycle_population_real v_star;
-    saturating_bicycle_population_real v_star_plain;
-    saturating_bicycle_population_real validity;
-    v_star = R(0.0);
-    r_star = R(0.0);
-    v_star_plain = R(0.0);
-    r_star_plain = R(0.0);
-    disturbance = R(0.0);
-    K = K_prior;
-    pi1 = pi1_prior;
-    eta = eta_prior;
-    rho = rho_prior;
-    grip = grip_prior;
-    input_scale = R(1.0);
-    input_offset = R(0.0);
-    output_bias = R(0.0);
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->v_star_plain = R(0.0);
+    state->r_star_plain = R(0.0);
+    state->disturbance = R(0.0);
+    state->K = config->K_prior;
+    state->pi1 = config->pi1_prior;
+    state->eta = config->eta_prior;
+    state->rho = config->rho_prior;
+    state->grip = config->grip_prior;
+    state->input_scale = R(1.0);
+    state->input_offset = R(0.0);
+    state->output_bias = R(0.0);
     P[0] = R(0.0);
     P[1] = R(0.0);
     P[2] = R(0.0);
@@ -302,164 +253,56 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     P[63] = R(0.0);
     P[64] = R(0.0);
     P[65] = R(0.0);
-    P[0] = (v_star_sd*v_star_sd);
-    P[11] = (r_star_sd*r_star_sd);
-    P[60] = (input_scale_sd*input_scale_sd);
-    P[63] = (input_offset_sd*input_offset_sd);
-    P[65] = (output_bias_sd*output_bias_sd);
-    P[30] = P_prior_0;
-    P[31] = P_prior_1;
-    P[32] = P_prior_2;
-    P[33] = P_prior_3;
-    P[34] = P_prior_4;
-    P[38] = P_prior_5;
-    P[39] = P_prior_6;
-    P[40] = P_prior_7;
-    P[41] = P_prior_8;
-    P[45] = P_prior_9;
-    P[46] = P_prior_10;
-    P[47] = P_prior_11;
-    P[51] = P_prior_12;
-    P[52] = P_prior_13;
-    P[56] = P_prior_14;
-    noise_scale = R(1.0);
-    surprise = R(1.0);
-    settling = R(1.0);
-    disturbance_scale = disturbance_scale_start;
-    P[21] = disturbance_scale*(disturbance_floor*disturbance_floor);
-    restlessness = R(0.0);
-    jump = R(0.0);
-    activity = R(0.0);
-    excitation = R(0.0);
-    excited = R(0.0);
-    unlearnt = R(0.0);
-    validity = R(0.0);
-    information = R(0.0);
-    last_input = R(0.0);
-    age = R(0.0);
-    started = R(0.0);
-    last_U = R(0.0);
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_plain = v_star_plain;
-    state->r_star_plain = r_star_plain;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->grip = grip;
-    state->input_scale = input_scale;
-    state->input_offset = input_offset;
-    state->output_bias = output_bias;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
+    P[0] = (config->v_star_sd*config->v_star_sd);
+    P[11] = (config->r_star_sd*config->r_star_sd);
+    P[60] = (config->input_scale_sd*config->input_scale_sd);
+    P[63] = (config->input_offset_sd*config->input_offset_sd);
+    P[65] = (config->output_bias_sd*config->output_bias_sd);
+    P[30] = config->P_prior[0];
+    P[31] = config->P_prior[1];
+    P[32] = config->P_prior[2];
+    P[33] = config->P_prior[3];
+    P[34] = config->P_prior[4];
+    P[38] = config->P_prior[5];
+    P[39] = config->P_prior[6];
+    P[40] = config->P_prior[7];
+    P[41] = config->P_prior[8];
+    P[45] = config->P_prior[9];
+    P[46] = config->P_prior[10];
+    P[47] = config->P_prior[11];
+    P[51] = config->P_prior[12];
+    P[52] = config->P_prior[13];
+    P[56] = config->P_prior[14];
+    state->noise_scale = R(1.0);
+    state->surprise = R(1.0);
+    state->settling = R(1.0);
+    state->disturbance_scale = config->disturbance_scale_start;
+    P[21] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    state->restlessness = R(0.0);
+    state->jump = R(0.0);
+    state->score = R(0.0);
+    state->heard = R(0.0);
+    state->activity = R(0.0);
+    state->excitation = R(0.0);
+    state->excited = R(0.0);
+    state->unlearnt = R(0.0);
+    state->validity = R(0.0);
+    state->information = R(0.0);
+    state->last_input = R(0.0);
+    state->age = R(0.0);
+    state->started = R(0.0);
+    state->last_U = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state,
-                                     const saturating_bicycle_population_sample *sample, saturating_bicycle_population_output *output)
+SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *restrict config,
+                                     saturating_bicycle_population_state *restrict state,
+                                     const saturating_bicycle_population_sample *restrict sample,
+                                     saturating_bicycle_population_output *restrict output)
 {
-    const saturating_bicycle_population_real L = config->L;
-    const saturating_bicycle_population_real K_prior = config->K_prior;
-    const saturating_bicycle_population_real prior_information = config->prior_information;
-    const saturating_bicycle_population_real K_low = config->K_low;
-    const saturating_bicycle_population_real K_high = config->K_high;
-    const saturating_bicycle_population_real pi1_low = config->pi1_low;
-    const saturating_bicycle_population_real pi1_high = config->pi1_high;
-    const saturating_bicycle_population_real eta_low = config->eta_low;
-    const saturating_bicycle_population_real eta_high = config->eta_high;
-    const saturating_bicycle_population_real rho_low = config->rho_low;
-    const saturating_bicycle_population_real rho_high = config->rho_high;
-    const saturating_bicycle_population_real grip_low = config->grip_low;
-    const saturating_bicycle_population_real grip_high = config->grip_high;
-    const saturating_bicycle_population_real input_scale_low = config->input_scale_low;
-    const saturating_bicycle_population_real input_scale_high = config->input_scale_high;
-    const saturating_bicycle_population_real v_star_sd = config->v_star_sd;
-    const saturating_bicycle_population_real r_star_sd = config->r_star_sd;
-    const saturating_bicycle_population_real noise_variance = config->noise_variance;
-    const saturating_bicycle_population_real drift = config->drift;
-    const saturating_bicycle_population_real idle_drift = config->idle_drift;
-    const saturating_bicycle_population_real jump_drift = config->jump_drift;
-    const saturating_bicycle_population_real bias_drift = config->bias_drift;
-    const saturating_bicycle_population_real timing_error = config->timing_error;
-    const saturating_bicycle_population_real companion_rate = config->companion_rate;
-    const saturating_bicycle_population_real structure_share = config->structure_share;
-    const saturating_bicycle_population_real structure_time = config->structure_time;
-    const saturating_bicycle_population_real activity_rate = config->activity_rate;
-    const saturating_bicycle_population_real disturbance_floor = config->disturbance_floor;
-    const saturating_bicycle_population_real disturbance_share = config->disturbance_share;
-    const saturating_bicycle_population_real disturbance_rate = config->disturbance_rate;
-    const saturating_bicycle_population_real disturbance_adapt = config->disturbance_adapt;
-    const saturating_bicycle_population_real disturbance_scale_low = config->disturbance_scale_low;
-    const saturating_bicycle_population_real disturbance_scale_high = config->disturbance_scale_high;
-    const saturating_bicycle_population_real noise_adapt = config->noise_adapt;
-    const saturating_bicycle_population_real noise_scale_low = config->noise_scale_low;
-    const saturating_bicycle_population_real noise_scale_high = config->noise_scale_high;
-    const saturating_bicycle_population_real excitation_ratio = config->excitation_ratio;
-    const saturating_bicycle_population_real excitation_rate = config->excitation_rate;
-    const saturating_bicycle_population_real seldom = config->seldom;
-    const saturating_bicycle_population_real surprise_rate = config->surprise_rate;
-    const saturating_bicycle_population_real jump_ratio = config->jump_ratio;
-    const saturating_bicycle_population_real surprise_limit = config->surprise_limit;
-    const saturating_bicycle_population_real observed_least = config->observed_least;
-    const saturating_bicycle_population_real outlier_ratio = config->outlier_ratio;
-    const saturating_bicycle_population_real gap = config->gap;
-    const saturating_bicycle_population_real input_limit = config->input_limit;
-    const saturating_bicycle_population_real output_limit = config->output_limit;
-    const saturating_bicycle_population_real signal_limit = config->signal_limit;
-    const saturating_bicycle_population_real validity_limit = config->validity_limit;
-    const saturating_bicycle_population_real validity_rate = config->validity_rate;
-    const saturating_bicycle_population_real dt = sample->dt;
-    const saturating_bicycle_population_real input = sample->input;
-    const saturating_bicycle_population_real U = sample->U;
-    const saturating_bicycle_population_real measured = sample->measured;
     saturating_bicycle_population_real *const P = state->P;
-    saturating_bicycle_population_real v_star = state->v_star;
-    saturating_bicycle_population_real r_star = state->r_star;
-    saturating_bicycle_population_real v_star_plain = state->v_star_plain;
-    saturating_bicycle_population_real r_star_plain = state->r_star_plain;
-    saturating_bicycle_population_real disturbance = state->disturbance;
-    saturating_bicycle_population_real K = state->K;
-    saturating_bicycle_population_real pi1 = state->pi1;
-    saturating_bicycle_population_real eta = state->eta;
-    saturating_bicycle_population_real rho = state->rho;
-    saturating_bicycle_population_real grip = state->grip;
-    saturating_bicycle_population_real input_scale = state->input_scale;
-    saturating_bicycle_population_real input_offset = state->input_offset;
-    saturating_bicycle_population_real output_bias = state->output_bias;
-    saturating_bicycle_population_real noise_scale = state->noise_scale;
-    saturating_bicycle_population_real disturbance_scale = state->disturbance_scale;
-    saturating_bicycle_population_real activity = state->activity;
-    saturating_bicycle_population_real settling = state->settling;
-    saturating_bicycle_population_real restlessness = state->restlessness;
-    saturating_bicycle_population_real jump = state->jump;
-    saturating_bicycle_population_real surprise = state->surprise;
-    saturating_bicycle_population_real excitation = state->excitation;
-    saturating_bicycle_population_real excited = state->excited;
-    saturating_bicycle_population_real unlearnt = state->unlearnt;
-    saturating_bicycle_population_real validity = state->validity;
-    saturating_bicycle_population_real information = state->information;
-    saturating_bicycle_population_real last_input = state->last_input;
-    saturating_bicycle_population_real last_U = state->last_U;
-    saturating_bicycle_population_real age = state->age;
-    saturating_bicycle_population_real started = state->started;
     saturating_bicycle_population_real U_now = R(0.0);
-    saturating_bicycle_population_real anew = R(0.0);
+    int anew = 0;
     saturating_bicycle_population_real bias_now = R(0.0);
     saturating_bicycle_population_real diffusion = R(0.0);
     saturating_bicycle_population_real disturbance_now = R(0.0);
@@ -476,61 +319,63 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real pi1_now = R(0.0);
     saturating_bicycle_population_real predicted = R(0.0);
     saturating_bicycle_population_real rho_now = R(0.0);
-    saturating_bicycle_population_real status = R(0.0);
+    int status = 0;
     saturating_bicycle_population_real u_now = R(0.0);
     saturating_bicycle_population_real usable = R(0.0);
     saturating_bicycle_population_real variance = R(0.0);
 
-    status = R(0.0);
-    predicted = output_bias;
+    status = 0;
+    predicted = state->output_bias;
     innovation = R(0.0);
-    innovation_variance = noise_scale*noise_variance;
+    innovation_variance = state->noise_scale*config->noise_variance;
     noise_now = innovation_variance;
-    disturbance_now = disturbance_scale*(disturbance_floor*disturbance_floor);
-    if ((dt < R(1000000.0)) && (dt > R(1e-06))) { /* time must advance */
+    disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = R(1.0);
-        anew = R(0.0); /* 1 where the dynamic state starts anew */
-        age = age + dt;
-        if ((input < input_limit) && (input > (-input_limit))) { /* a missing one is held */
-            u_now = input;
+        anew = 0; /* 1 where the dynamic state starts anew */
+        state->age = state->age + sample->dt;
+        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+            u_now = sample->input;
         } else {
-            u_now = last_input;
+            u_now = state->last_input;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if ((U < signal_limit) && (U > (-signal_limit))) { /* a missing one is held */
-            U_now = U;
+        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+            U_now = sample->U;
         } else {
-            U_now = last_U;
+            U_now = state->last_U;
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (!((measured < output_limit) && (measured > (-output_limit)))) { /* no measurement */
+        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
             usable = R(0.0);
-            status = R(4.0);
+            status = 4;
         }
-        if (started < R(0.5)) { /* no sample before it could be used */
-            anew = R(1.0);
-            last_input = u_now;
-            last_U = U_now;
+        if (state->started < R(0.5)) { /* no sample before it could be used */
+            anew = 1;
+            state->last_input = u_now;
+            state->last_U = U_now;
         }
-        if ((age > gap) && (usable > R(0.5))) { /* the first sample after a gap */
-            status = R(5.0);
-            anew = R(1.0);
+        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+            status = 5;
+            anew = 1;
         }
-        if (!((R(10.0)*(U_now*U_now) > K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
-            anew = R(1.0);
-            started = R(0.0);
+        if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
+            anew = 1;
+            state->started = R(0.0);
             usable = R(0.0);
-            status = R(6.0);
+            status = 6;
         }
-        if ((age > gap) || (anew > R(0.5))) { /* nothing was heard for long */
-            excitation = R(0.0);
-            excited = R(0.0);
-            jump = R(0.0);
-            surprise = R(1.0);
+        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
+            state->excitation = R(0.0);
+            state->excited = R(0.0);
+            state->jump = R(0.0);
+            state->score = R(0.0);
+            state->heard = R(0.0);
+            state->surprise = R(1.0);
         }
-        if (anew > R(0.5)) { /* nothing is known of them */
+        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -561,46 +406,46 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             P[27] = R(0.0);
             P[28] = R(0.0);
             P[29] = R(0.0);
-            P[0] = (v_star_sd*v_star_sd);
-            P[11] = (r_star_sd*r_star_sd);
-            P[21] = disturbance_scale*(disturbance_floor*disturbance_floor);
-            v_star = R(0.0);
-            r_star = R(0.0);
-            v_star_plain = R(0.0);
-            r_star_plain = R(0.0);
-            disturbance = R(0.0);
+            P[0] = (config->v_star_sd*config->v_star_sd);
+            P[11] = (config->r_star_sd*config->r_star_sd);
+            P[21] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+            state->v_star = R(0.0);
+            state->r_star = R(0.0);
+            state->v_star_plain = R(0.0);
+            state->r_star_plain = R(0.0);
+            state->disturbance = R(0.0);
         }
-        const saturating_bicycle_population_real least_scale = R(0.0003333333333333333)*signal_limit;
+        const saturating_bicycle_population_real least_scale = R(0.0003333333333333333)*config->signal_limit;
         const saturating_bicycle_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
-        const saturating_bicycle_population_real was_U = ((last_U) > (least_scale) ? last_U : least_scale);
+        const saturating_bicycle_population_real was_U = ((state->last_U) > (least_scale) ? state->last_U : least_scale);
         const saturating_bicycle_population_real inv_U = (R(1.0)/at_U);
-        const saturating_bicycle_population_real inv_L = (R(1.0)/L);
-        const saturating_bicycle_population_real inv_dt = (R(1.0)/dt);
+        const saturating_bicycle_population_real inv_L = (R(1.0)/config->L);
+        const saturating_bicycle_population_real inv_dt = (R(1.0)/sample->dt);
         const saturating_bicycle_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
-        const saturating_bicycle_population_real inv_output_scale = L*inv_U;
-        const saturating_bicycle_population_real span = (dt < gap ? dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
+        const saturating_bicycle_population_real inv_output_scale = config->L*inv_U;
+        const saturating_bicycle_population_real span = (sample->dt < config->gap ? sample->dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
         const saturating_bicycle_population_real h = at_U*inv_L*span; /* dimensionless time step */
         const saturating_bicycle_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
-        v_star = ratio_v_star*v_star;
-        v_star_plain = ratio_v_star*v_star_plain;
+        state->v_star = ratio_v_star*state->v_star;
+        state->v_star_plain = ratio_v_star*state->v_star_plain;
         const saturating_bicycle_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
-        r_star = r_star*ratio_r_star;
-        r_star_plain = r_star_plain*ratio_r_star;
-        const saturating_bicycle_population_real steer = R(0.5)*input_scale*(last_input + u_now); /* mean of the sample's two ends */
-        const saturating_bicycle_population_real steer_change = input_scale*(u_now - last_input);
+        state->r_star = state->r_star*ratio_r_star;
+        state->r_star_plain = state->r_star_plain*ratio_r_star;
+        const saturating_bicycle_population_real steer = R(0.5)*state->input_scale*(state->last_input + u_now); /* mean of the sample's two ends */
+        const saturating_bicycle_population_real steer_change = state->input_scale*(u_now - state->last_input);
         const saturating_bicycle_population_real u_plain = steer; /* measured input alone [-] */
-        const saturating_bicycle_population_real u = disturbance + input_offset + u_plain; /* effective input [-] */
-        const saturating_bicycle_population_real inv0 = (R(1.0)/grip);
-        const saturating_bicycle_population_real inv1 = (R(1.0)/rho);
-        const saturating_bicycle_population_real inv2 = (R(1.0)/(pi1 - R(1.0)));
-        const saturating_bicycle_population_real s0 = v_star + pi1*r_star;
-        const saturating_bicycle_population_real s1 = K*inv0*inv2*inv_L;
-        const saturating_bicycle_population_real s2 = v_star_plain + pi1*r_star_plain;
-        const saturating_bicycle_population_real s3 = eta*s1;
+        const saturating_bicycle_population_real u = state->disturbance + state->input_offset + u_plain; /* effective input [-] */
+        const saturating_bicycle_population_real inv0 = (R(1.0)/state->grip);
+        const saturating_bicycle_population_real inv1 = (R(1.0)/state->rho);
+        const saturating_bicycle_population_real inv2 = (R(1.0)/(state->pi1 - R(1.0)));
+        const saturating_bicycle_population_real s0 = state->v_star + state->pi1*state->r_star;
+        const saturating_bicycle_population_real s1 = state->K*inv0*inv2*inv_L;
+        const saturating_bicycle_population_real s2 = state->v_star_plain + state->pi1*state->r_star_plain;
+        const saturating_bicycle_population_real s3 = state->eta*s1;
         const saturating_bicycle_population_real load0 = s1*(s0 - u); /* force over its limit [-] */
         const saturating_bicycle_population_real load1 = s1*(s2 - u_plain); /* force over its limit [-] */
-        const saturating_bicycle_population_real load2 = s3*(s0 - r_star); /* force over its limit [-] */
-        const saturating_bicycle_population_real load3 = s3*(s2 - r_star_plain); /* force over its limit [-] */
+        const saturating_bicycle_population_real load2 = s3*(s0 - state->r_star); /* force over its limit [-] */
+        const saturating_bicycle_population_real load3 = s3*(s2 - state->r_star_plain); /* force over its limit [-] */
         const saturating_bicycle_population_real size0 = (((-load0)) > (load0) ? (-load0) : load0);
         const saturating_bicycle_population_real over0 = R(1.0) + size0*(R(1.0) + R(0.7)*size0);
         const saturating_bicycle_population_real part0 = (R(1.0)/(R(1.0) + over0*size0)); /* force over load */
@@ -615,29 +460,29 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
         const saturating_bicycle_population_real c0 = load0*over0*part0;
         const saturating_bicycle_population_real c1 = load2*over2*part2;
-        const saturating_bicycle_population_real c2 = L*(inv_U*inv_U);
-        const saturating_bicycle_population_real c3 = c2*grip;
+        const saturating_bicycle_population_real c2 = config->L*(inv_U*inv_U);
+        const saturating_bicycle_population_real c3 = c2*state->grip;
         const saturating_bicycle_population_real c4 = c3*inv1;
         const saturating_bicycle_population_real c5 = load1*over1*part1;
         const saturating_bicycle_population_real c6 = load3*over3*part3;
-        const saturating_bicycle_population_real c7 = c2*(load1*over1*part1*pi1 - c5 - c6*pi1);
+        const saturating_bicycle_population_real c7 = c2*(load1*over1*part1*state->pi1 - c5 - c6*state->pi1);
         const saturating_bicycle_population_real c8 = inv1*(c5 - c6);
         const saturating_bicycle_population_real c9 = c3*c8;
         const saturating_bicycle_population_real c10 = (part0*part0);
         const saturating_bicycle_population_real c11 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
-        const saturating_bicycle_population_real c12 = K*inv0*inv_L;
+        const saturating_bicycle_population_real c12 = state->K*inv0*inv_L;
         const saturating_bicycle_population_real c13 = c12*inv2;
         const saturating_bicycle_population_real c14 = c10*c11*c13;
-        const saturating_bicycle_population_real c15 = c14*pi1;
+        const saturating_bicycle_population_real c15 = c14*state->pi1;
         const saturating_bicycle_population_real c16 = (-c15);
-        const saturating_bicycle_population_real c17 = eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const saturating_bicycle_population_real c17 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
         const saturating_bicycle_population_real c18 = c13*c17;
         const saturating_bicycle_population_real c19 = R(0.16666666666666666)*h;
         const saturating_bicycle_population_real c20 = c12*c17;
         const saturating_bicycle_population_real c21 = c19*c4;
         const saturating_bicycle_population_real c22 = inv2*inv_L;
         const saturating_bicycle_population_real c23 = c22*inv0;
-        const saturating_bicycle_population_real c24 = v_star_plain + pi1*r_star_plain;
+        const saturating_bicycle_population_real c24 = state->v_star_plain + state->pi1*state->r_star_plain;
         const saturating_bicycle_population_real c25 = c24 - u_plain;
         const saturating_bicycle_population_real c26 = (part1*part1);
         const saturating_bicycle_population_real c27 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
@@ -645,38 +490,38 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real c29 = c25*c28;
         const saturating_bicycle_population_real c30 = c23*c29;
         const saturating_bicycle_population_real c31 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
-        const saturating_bicycle_population_real c32 = eta*(c24 - r_star_plain);
+        const saturating_bicycle_population_real c32 = state->eta*(c24 - state->r_star_plain);
         const saturating_bicycle_population_real c33 = c31*c32;
         const saturating_bicycle_population_real c34 = c23*c33;
         const saturating_bicycle_population_real c35 = c12*(inv2*inv2);
-        const saturating_bicycle_population_real c36 = K*inv0*inv2*inv_L*r_star_plain - c25*c35;
+        const saturating_bicycle_population_real c36 = state->K*inv0*inv2*inv_L*state->r_star_plain - c25*c35;
         const saturating_bicycle_population_real c37 = c28*c36;
-        const saturating_bicycle_population_real c38 = c31*(K*eta*inv0*inv2*inv_L*r_star_plain - c32*c35);
-        const saturating_bicycle_population_real c39 = K*c22;
+        const saturating_bicycle_population_real c38 = c31*(state->K*state->eta*inv0*inv2*inv_L*state->r_star_plain - c32*c35);
+        const saturating_bicycle_population_real c39 = state->K*c22;
         const saturating_bicycle_population_real c40 = c2*c39;
         const saturating_bicycle_population_real c41 = c40*inv1;
         const saturating_bicycle_population_real c42 = c39*(inv0*inv0);
         const saturating_bicycle_population_real c43 = c29*c42;
         const saturating_bicycle_population_real c44 = c33*c42;
-        const saturating_bicycle_population_real f_v_star = (-r_star) - c3*(load0*over0*part0*pi1 - c0 - c1*pi1); /* rate [-] */
+        const saturating_bicycle_population_real f_v_star = (-state->r_star) - c3*(load0*over0*part0*state->pi1 - c0 - c1*state->pi1); /* rate [-] */
         const saturating_bicycle_population_real f_r_star = c4*(c0 - c1); /* rate [-] */
-        const saturating_bicycle_population_real f_v_star_plain = (-r_star_plain) - c7*grip;
+        const saturating_bicycle_population_real f_v_star_plain = (-state->r_star_plain) - c7*state->grip;
         const saturating_bicycle_population_real f_r_star_plain = c9;
-        const saturating_bicycle_population_real J_00 = (-c19*c3*((-c14) - c16 - c18*pi1));
-        const saturating_bicycle_population_real J_01 = c19*((-R(1.0)) - c3*(K*c10*c11*inv0*inv2*inv_L*(pi1*pi1) - c15 - c20*pi1));
+        const saturating_bicycle_population_real J_00 = (-c19*c3*((-c14) - c16 - c18*state->pi1));
+        const saturating_bicycle_population_real J_01 = c19*((-R(1.0)) - c3*(state->K*c10*c11*inv0*inv2*inv_L*(state->pi1*state->pi1) - c15 - c20*state->pi1));
         const saturating_bicycle_population_real J_10 = c21*(c14 - c18);
         const saturating_bicycle_population_real J_11 = c21*((-c16) - c20);
-        const saturating_bicycle_population_real f_v_star_K = (-K*c3*(c25*c26*c27*inv0*inv2*inv_L*pi1 - c30 - c34*pi1));
-        const saturating_bicycle_population_real f_r_star_K = K*c4*(c30 - c34);
-        const saturating_bicycle_population_real f_v_star_pi1 = (-c3*(c5 + c26*c27*c36*pi1 - c37 - c6 - c38*pi1));
+        const saturating_bicycle_population_real f_v_star_K = (-state->K*c3*(c25*c26*c27*inv0*inv2*inv_L*state->pi1 - c30 - c34*state->pi1));
+        const saturating_bicycle_population_real f_r_star_K = state->K*c4*(c30 - c34);
+        const saturating_bicycle_population_real f_v_star_pi1 = (-c3*(c5 + c26*c27*c36*state->pi1 - c37 - c6 - c38*state->pi1));
         const saturating_bicycle_population_real f_r_star_pi1 = c4*(c37 - c38);
-        const saturating_bicycle_population_real f_v_star_eta = c33*c40*pi1;
+        const saturating_bicycle_population_real f_v_star_eta = c33*c40*state->pi1;
         const saturating_bicycle_population_real f_r_star_eta = (-c33*c41);
         const saturating_bicycle_population_real f_v_star_rho = R(0.0);
         const saturating_bicycle_population_real f_r_star_rho = (-c9);
-        const saturating_bicycle_population_real f_v_star_grip = grip*((-c7) - c3*(c43 + c44*pi1 - c43*pi1));
-        const saturating_bicycle_population_real f_r_star_grip = grip*(c2*c8 + c4*(c44 - c43));
-        const saturating_bicycle_population_real f_v_star_u = (-c3*(K*c26*c27*inv0*inv2*inv_L - c13*c28*pi1));
+        const saturating_bicycle_population_real f_v_star_grip = state->grip*((-c7) - c3*(c43 + c44*state->pi1 - c43*state->pi1));
+        const saturating_bicycle_population_real f_r_star_grip = state->grip*(c2*c8 + c4*(c44 - c43));
+        const saturating_bicycle_population_real f_v_star_u = (-c3*(state->K*c26*c27*inv0*inv2*inv_L - c13*c28*state->pi1));
         const saturating_bicycle_population_real f_r_star_u = (-c28*c41);
         const saturating_bicycle_population_real p0 = J_00*J_11 - J_01*J_10;
         const saturating_bicycle_population_real p1 = (-J_00) - J_11;
@@ -730,14 +575,14 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real F_r_star_grip = G_10*f_v_star_grip + G_11*f_r_star_grip;
         const saturating_bicycle_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
         const saturating_bicycle_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
-        const saturating_bicycle_population_real keep_w = ((R(0.0)) > (R(1.0) - disturbance_rate*dt) ? R(0.0) : R(1.0) - disturbance_rate*dt);
-        const saturating_bicycle_population_real w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        const saturating_bicycle_population_real keep_w = ((R(0.0)) > (R(1.0) - config->disturbance_rate*sample->dt) ? R(0.0) : R(1.0) - config->disturbance_rate*sample->dt);
+        const saturating_bicycle_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = drift;
-        if (excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
-            const saturating_bicycle_population_real lost = ((R(1.0)) < (R(0.5)*dt*idle_drift*prior_information) ? R(1.0) : R(0.5)*dt*idle_drift*prior_information);
+        diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
+        if (state->excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+            const saturating_bicycle_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const saturating_bicycle_population_real keep = R(1.0) - lost;
-            diffusion = lost*(R(1.0) + keep)/(dt*prior_information); /* for long: the prior variance */
+            diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
             P[3] = P[3]*keep;
             P[13] = P[13]*keep;
             P[22] = P[22]*keep;
@@ -750,8 +595,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             P[36] = P[36]*keep;
             P[37] = P[37]*keep;
             P[30] = P[30]*keep;
-            const saturating_bicycle_population_real p = K - K_prior;
-            const saturating_bicycle_population_real q = K + K_prior;
+            const saturating_bicycle_population_real p = state->K - config->K_prior;
+            const saturating_bicycle_population_real q = state->K + config->K_prior;
             const saturating_bicycle_population_real pp = (p*p);
             const saturating_bicycle_population_real qq = (q*q);
             const saturating_bicycle_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
@@ -817,7 +662,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         P[18] = FP_1_8;
         P[19] = FP_1_9;
         P[20] = FP_1_10;
-        P[21] = P[21]*(keep_w*keep_w) + disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+        P[21] = P[21]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
         P[22] = P[22]*keep_w;
         P[23] = P[23]*keep_w;
         P[24] = P[24]*keep_w;
@@ -826,23 +671,23 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         P[27] = P[27]*keep_w;
         P[28] = P[28]*keep_w;
         P[29] = P[29]*keep_w;
-        P[30] = P[30] + dt*(diffusion + jump*jump_drift);
-        P[65] = P[65] + bias_drift*dt;
-        disturbance = disturbance*keep_w;
-        v_star = d_v_star + v_star;
-        r_star = d_r_star + r_star;
-        const saturating_bicycle_population_real follow = ((R(1.0)) < (companion_rate*dt) ? R(1.0) : companion_rate*dt);
-        v_star_plain = d_v_star_plain + v_star_plain + follow*(v_star - d_v_star_plain - v_star_plain);
-        r_star_plain = d_r_star_plain + r_star_plain + follow*(r_star - d_r_star_plain - r_star_plain);
-        const saturating_bicycle_population_real response = output_scale*r_star; /* output of the model */
-        predicted = output_bias + response;
+        P[30] = P[30] + sample->dt*(diffusion + state->jump*config->jump_drift);
+        P[65] = P[65] + config->bias_drift*sample->dt;
+        state->disturbance = state->disturbance*keep_w;
+        state->v_star = d_v_star + state->v_star;
+        state->r_star = d_r_star + state->r_star;
+        const saturating_bicycle_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
+        state->v_star_plain = d_v_star_plain + state->v_star_plain + follow*(state->v_star - d_v_star_plain - state->v_star_plain);
+        state->r_star_plain = d_r_star_plain + state->r_star_plain + follow*(state->r_star - d_r_star_plain - state->r_star_plain);
+        const saturating_bicycle_population_real response = output_scale*state->r_star; /* output of the model */
+        predicted = state->output_bias + response;
         const saturating_bicycle_population_real output_rate = d_r_star*inv_dt*output_scale;
-        activity = activity + ((response*response) - activity)*((R(1.0)) < (activity_rate*dt) ? R(1.0) : activity_rate*dt);
-        const saturating_bicycle_population_real noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*((R(1.0)) > (R(2.0)*inv_dt*structure_time) ? R(1.0) : R(2.0)*inv_dt*structure_time)); /* variance of the measurement */
-        const saturating_bicycle_population_real validity_now = inv_L*r_star*(at_U*at_U); /* lateral acceleration */
-        const saturating_bicycle_population_real validity_then = validity*(R(1.0) - ((R(1.0)) < (dt*validity_rate) ? R(1.0) : dt*validity_rate));
+        state->activity = state->activity + ((response*response) - state->activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
+        const saturating_bicycle_population_real noise = state->noise_scale*(config->noise_variance + (output_rate*output_rate)*(config->timing_error*config->timing_error) + state->activity*(config->structure_share*config->structure_share)*((R(1.0)) > (R(2.0)*inv_dt*config->structure_time) ? R(1.0) : R(2.0)*inv_dt*config->structure_time)); /* variance of the measurement */
+        const saturating_bicycle_population_real validity_now = inv_L*state->r_star*(at_U*at_U); /* lateral acceleration */
+        const saturating_bicycle_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const saturating_bicycle_population_real validity_square = (validity_now*validity_now);
-        validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
+        state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
         if (usable > R(0.5)) { /* measurement */
             const saturating_bicycle_population_real c_0 = P[10] + P[1]*output_scale;
             const saturating_bicycle_population_real c_1 = P[20] + P[11]*output_scale;
@@ -855,27 +700,33 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real c_8 = P[62] + P[18]*output_scale;
             const saturating_bicycle_population_real c_9 = P[64] + P[19]*output_scale;
             const saturating_bicycle_population_real c_10 = P[65] + P[20]*output_scale;
-            innovation = measured - predicted;
+            innovation = sample->measured - predicted;
             innovation_variance = c_10 + noise + c_1*output_scale;
             inv_spread = (R(1.0)/innovation_variance);
             const saturating_bicycle_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
-            if (nis > outlier_ratio) { /* an outlier counts for less */
-                inv_spread = inv_spread*outlier_ratio/nis;
+            if (nis > config->outlier_ratio) { /* an outlier counts for less */
+                inv_spread = inv_spread*config->outlier_ratio/nis;
             }
             const saturating_bicycle_population_real inv_P = (R(1.0)/P[30]);
             const saturating_bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
-            excitation = excitation + ((sensitivity*sensitivity) - excitation)*((R(1.0)) < (dt*excitation_rate) ? R(1.0) : dt*excitation_rate);
-            excited = (excitation > excitation_ratio*noise ? R(1.0) : R(0.0));
-            surprise = surprise + (((R(9.0)) < (nis) ? R(9.0) : nis) - surprise)*((R(1.0)) < (dt*surprise_rate) ? R(1.0) : dt*surprise_rate); /* recent mean of the normalised innovation squared */
-            const saturating_bicycle_population_real learn = excited*inv_spread;
-            const saturating_bicycle_population_real above = surprise - R(1.0);
-            restlessness = restlessness + ((above*above) - restlessness)*((R(1.0)) < (dt*noise_adapt) ? R(1.0) : dt*noise_adapt);
-            jump = (((above*above) > jump_ratio*restlessness) && ((surprise - surprise_limit) > R(0.0)) ? surprise - surprise_limit : R(0.0));
-            const saturating_bicycle_population_real learn_slow = (jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
-            unlearnt = dt + unlearnt;
-            const saturating_bicycle_population_real learn_seldom = (seldom <= unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+            state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
+            state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
+            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const saturating_bicycle_population_real learn = state->excited*inv_spread;
+            const saturating_bicycle_population_real keep_score = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate) : R(1.0));
+            const saturating_bicycle_population_real told = (state->validity < (config->validity_limit*config->validity_limit) ? inv_spread*sensitivity : R(0.0));
+            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
+            state->score = innovation*told + keep_score*state->score;
+            const saturating_bicycle_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[30]*state->heard); /* little is no evidence */
+            const saturating_bicycle_population_real doubt = (state->validity < (config->validity_limit*config->validity_limit) ? ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough) : R(0.0));
+            const saturating_bicycle_population_real above = state->surprise - R(1.0);
+            state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
+            state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));
+            const saturating_bicycle_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
+            state->unlearnt = sample->dt + state->unlearnt;
+            const saturating_bicycle_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
-                unlearnt = R(0.0);
+                state->unlearnt = R(0.0);
             }
             const saturating_bicycle_population_real gain_0 = c_0*inv_spread;
             const saturating_bicycle_population_real gain_1 = c_1*inv_spread;
@@ -889,7 +740,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real gain_9 = c_9*inv_spread;
             const saturating_bicycle_population_real gain_10 = c_10*inv_spread;
             const saturating_bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
-            information = information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+            state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             P[0] = P[0] - c_0*gain_0;
             P[1] = P[1] - c_1*gain_0;
             P[2] = P[2] - c_2*gain_0;
@@ -956,112 +807,84 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             P[63] = P[63] - c_9*gain_9;
             P[64] = P[64] - c_10*gain_9;
             P[65] = P[65] - c_10*gain_10;
-            v_star = v_star + gain_0*innovation;
-            r_star = r_star + gain_1*innovation;
-            disturbance = disturbance + gain_2*innovation;
+            state->v_star = state->v_star + gain_0*innovation;
+            state->r_star = state->r_star + gain_1*innovation;
+            state->disturbance = state->disturbance + gain_2*innovation;
+            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
-            pi1 = pi1 + gain_4*innovation;
+            state->pi1 = state->pi1 + gain_4*innovation;
             const saturating_bicycle_population_real move_eta = gain_5*innovation;
             const saturating_bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
             const saturating_bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            eta = eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
             const saturating_bicycle_population_real move_rho = gain_6*innovation;
             const saturating_bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
             const saturating_bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            rho = rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
             const saturating_bicycle_population_real move_grip = gain_7*innovation;
             const saturating_bicycle_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
             const saturating_bicycle_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
-            grip = grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+            state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
             const saturating_bicycle_population_real move_input_scale = gain_8*innovation;
             const saturating_bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
             const saturating_bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
-            input_scale = input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-            input_offset = input_offset + gain_9*innovation;
-            output_bias = output_bias + gain_10*innovation;
-            settling = ((noise_adapt) > (settling - dt*(settling*settling)) ? noise_adapt : settling - dt*(settling*settling)); /* 1/time at first */
-            const saturating_bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (dt*settling) ? R(0.05) : dt*settling);
-            noise_scale = noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
-            noise_scale = ((noise_scale) > (noise_scale_low) ? noise_scale : noise_scale_low);
-            noise_scale = ((noise_scale) < (noise_scale_high) ? noise_scale : noise_scale_high);
-            const saturating_bicycle_population_real expected = disturbance_scale*w_nominal; /* disturbance variance expected */
-            const saturating_bicycle_population_real seen = ((R(9.0)*expected) < (P[21] + (disturbance*disturbance)) ? R(9.0)*expected : P[21] + (disturbance*disturbance)); /* and seen */
-            const saturating_bicycle_population_real unseen = ((expected*observed_least) > (expected - P[21]) ? expected*observed_least : expected - P[21]);
-            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*((R(1.0)) < (disturbance_adapt*dt) ? R(1.0) : disturbance_adapt*dt)/unseen;
-            disturbance_scale = ((disturbance_scale) > (disturbance_scale_low) ? disturbance_scale : disturbance_scale_low);
-            disturbance_scale = ((disturbance_scale) < (disturbance_scale_high) ? disturbance_scale : disturbance_scale_high);
-            if ((excited < R(0.5)) && (status < R(0.5))) {
-                status = R(1.0);
+            state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+            state->input_offset = state->input_offset + gain_9*innovation;
+            state->output_bias = state->output_bias + gain_10*innovation;
+            state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
+            const saturating_bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+            state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
+            state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
+            const saturating_bicycle_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
+            const saturating_bicycle_population_real seen = ((R(9.0)*expected) < (P[21] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[21] + (state->disturbance*state->disturbance)); /* and seen */
+            const saturating_bicycle_population_real unseen = ((expected*config->observed_least) > (expected - P[21]) ? expected*config->observed_least : expected - P[21]);
+            state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
+            state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
+            state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
+            if ((state->excited < R(0.5)) && (status < 1)) {
+                status = 1;
             }
-            if ((status < R(1.5)) && (validity > (validity_limit*validity_limit))) {
-                status = R(2.0);
+            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
+                status = 2;
             }
         }
         const saturating_bicycle_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const saturating_bicycle_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
-        K = K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((K < K_low) || (K > K_high) || (eta < eta_low) || (eta > eta_high) || (grip < grip_low) || (grip > grip_high) || (input_scale < input_scale_low) || (input_scale > input_scale_high) || (pi1 < pi1_low) || (pi1 > pi1_high) || (rho < rho_low) || (rho > rho_high)) { /* prior +- its allowed range */
-            K = ((K_high) < (((K) > (K_low) ? K : K_low)) ? K_high : ((K) > (K_low) ? K : K_low));
-            pi1 = ((pi1_high) < (((pi1) > (pi1_low) ? pi1 : pi1_low)) ? pi1_high : ((pi1) > (pi1_low) ? pi1 : pi1_low));
-            eta = ((eta_high) < (((eta) > (eta_low) ? eta : eta_low)) ? eta_high : ((eta) > (eta_low) ? eta : eta_low));
-            rho = ((rho_high) < (((rho) > (rho_low) ? rho : rho_low)) ? rho_high : ((rho) > (rho_low) ? rho : rho_low));
-            grip = ((grip_high) < (((grip) > (grip_low) ? grip : grip_low)) ? grip_high : ((grip) > (grip_low) ? grip : grip_low));
-            input_scale = ((input_scale_high) < (((input_scale) > (input_scale_low) ? input_scale : input_scale_low)) ? input_scale_high : ((input_scale) > (input_scale_low) ? input_scale : input_scale_low));
+        state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->grip < config->grip_low) || (state->grip > config->grip_high) || (state->input_scale < config->input_scale_low) || (state->input_scale > config->input_scale_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
+            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
+            state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
+            state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
             if (usable > R(0.5)) {
-                status = R(3.0);
+                status = 3;
             }
         }
         noise_now = noise;
-        disturbance_now = disturbance_scale*w_nominal;
-        last_input = u_now;
-        last_U = U_now;
+        disturbance_now = state->disturbance_scale*w_nominal;
+        state->last_input = u_now;
+        state->last_U = U_now;
         if (usable > R(0.5)) {
-            age = R(0.0);
-            started = R(1.0);
+            state->age = R(0.0);
+            state->started = R(1.0);
         }
     } else {
-        status = R(7.0);
-        age = (dt > R(1.0) ? R(1000000.0) : age); /* an endless pause is a gap for the next sample */
+        status = 7;
+        state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
-    estimate = K;
+    estimate = state->K;
     variance = P[30];
-    information_gained = information;
-    pi1_now = pi1;
-    eta_now = eta;
-    rho_now = rho;
-    grip_now = grip;
-    offset_now = input_offset;
-    bias_now = output_bias;
+    information_gained = state->information;
+    pi1_now = state->pi1;
+    eta_now = state->eta;
+    rho_now = state->rho;
+    grip_now = state->grip;
+    offset_now = state->input_offset;
+    bias_now = state->output_bias;
 
-    state->v_star = v_star;
-    state->r_star = r_star;
-    state->v_star_plain = v_star_plain;
-    state->r_star_plain = r_star_plain;
-    state->disturbance = disturbance;
-    state->K = K;
-    state->pi1 = pi1;
-    state->eta = eta;
-    state->rho = rho;
-    state->grip = grip;
-    state->input_scale = input_scale;
-    state->input_offset = input_offset;
-    state->output_bias = output_bias;
-    state->noise_scale = noise_scale;
-    state->disturbance_scale = disturbance_scale;
-    state->activity = activity;
-    state->settling = settling;
-    state->restlessness = restlessness;
-    state->jump = jump;
-    state->surprise = surprise;
-    state->excitation = excitation;
-    state->excited = excited;
-    state->unlearnt = unlearnt;
-    state->validity = validity;
-    state->information = information;
-    state->last_input = last_input;
-    state->last_U = last_U;
-    state->age = age;
-    state->started = started;
     output->estimate = estimate;
     output->variance = variance;
     output->predicted = predicted;
@@ -1076,7 +899,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     output->bias_now = bias_now;
     output->noise_now = noise_now;
     output->disturbance_now = disturbance_now;
-    return (int)status;
+    return status;
 }
 
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */

@@ -92,7 +92,7 @@ def relations(look: Inspection) -> tuple[tuple[str, str, str], ...]:
             ))  # fmt: skip
     plan = look.prospects
     if plan is not None and plan.scan.origin == "scanned":
-        alone = f"{1000 * plan.scan.chosen:.0f} ± {1000 * plan.scan.std:.0f} ms"
+        alone = f"{1000 * plan.scan.total:.0f} ± {1000 * plan.scan.std:.0f} ms"
         rows.append(("of the steering", alone, "what a car of the population leaves over"))
     if yaw is not None:
         rows.append(("ay, r U", _side(yaw.sign), f"correlation {yaw.likeness:.2f}"))

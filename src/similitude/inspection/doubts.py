@@ -72,16 +72,16 @@ def find_late_steer(plan: Prospects, header: str) -> list[Finding]:
             f"log['t of steer [s]'] = log['t [s]'] - {scan.early:g}   # then interpolate", READ,
             column=header, value=-scan.early,
         )]  # fmt: skip
-    if scan.origin != "scanned" or scan.chosen < SURE * scan.std or scan.chosen == 0:
+    if scan.origin != "scanned" or scan.total < SURE * scan.std or scan.total == 0:
         return []
     kind = "it is a command, whose scale is then uncertain by 20 %" if plan.commanded else (
         "a filter or a slow bus lies between the wheel and the log"
     )  # fmt: skip
     return [Finding(
         "late_steer", False,
-        f"the wheels follow column '{header}' {1000 * scan.chosen:.0f} ± {1000 * scan.std:.0f} ms late",
+        f"the wheels follow column '{header}' {1000 * scan.total:.0f} ± {1000 * scan.std:.0f} ms late",
         f"{kind}; measure the road wheel to do better.",
-        f'steer_lag = "{1000 * scan.chosen:.0f} ms"', READ, column=header, value=scan.chosen,
+        f'steer_lag = "{1000 * scan.total:.0f} ms"', READ, column=header, value=scan.total,
     )]  # fmt: skip
 
 

@@ -15,14 +15,12 @@ from similitude.paper import printed
 from similitude.paper.claim import Claim, claim
 from similitude.program.library import shipped
 
-RECURSION = ("residual", "gain", "theta", "P")  # the unnumbered lines after eq 27
+RECURSION = ("expected", "residual", "normal", "moved")  # the unnumbered lines after eq 27
 REGRESSOR = ("y", "phi")  # eq 26
-HIGH_PASS = (  # section 6: the Bessel filter of both signals, as two sections each
-    "input_half",
-    "input_filtered",
-    "output_half",
-    "output_filtered",
-    *(f"{signal}_memory_{i}" for signal in ("input", "output") for i in range(4)),
+HIGH_PASS = tuple(  # section 6: the Bessel filter of both signals, as two sections each
+    f"{signal}_{name}"
+    for signal in ("input", "output")
+    for name in ("step", "bend", "1_now", "bend_1", "1", "2_now", "2")
 )
 
 

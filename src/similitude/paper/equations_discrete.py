@@ -23,7 +23,7 @@ STEPS = 600
 U, L = printed.TEST_VEHICLE["U"], printed.WHEELBASE
 AROUND = tuple(np.exp(1j * w) for w in (0.3, 0.9, 1.7, 2.9))  # z, rad a sample
 SMALL_T = 1e-3
-NO_FILTER = (1.0, 0.0, 0.0, 0.0, 0.0)
+NO_FILTER = ((1.0, -2.0, 1.0, -2.0, 1.0),) * 2  # two poles on two zeros, twice
 
 
 def _zero_order_hold() -> float:
@@ -89,8 +89,7 @@ def _regression() -> float:
         L=L,
         noise_std=1e-6,
         **PAPER_GROUPS,
-        biquad_1=NO_FILTER,
-        biquad_2=NO_FILTER,
+        biquads=NO_FILTER,
         dead_zone=0.0,
         settle_samples=3,
         output_jump=100.0,

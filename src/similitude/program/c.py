@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+import sympy as sp
+
 from similitude.program.ir import Assign, Field, Program, Statement, When, walk, without_unread
 from similitude.program.text import C, Language, count_operations, expression_text
 
@@ -45,6 +47,17 @@ typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
+# A sign bit cleared, without a library; where a compiler has no word for it, a choice.
+_MAGNITUDE = """\
+#if defined(__GNUC__)
+#define MAGNITUDE(x) \\
+    ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \\
+                                                : R(__builtin_fabs((double)(x))))
+#else
+#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#endif
+"""
+
 # The batch loop advances a state of its own: no write through a pointer can reach it, so the compiler
 # need not write it back after every sample (a fifth of the population filter's time, a third of the paper's).
 LOOPS = """\
@@ -79,7 +92,29 @@ class _Scope:
 
 
 def _scope(program: Program, mutable: set[str]) -> _Scope:
-    return _Scope(program.name, frozenset(mutable), replace(C, names=_element(program.state)))
+    """Structs are read and written where they stand: what is copied early only waits, on the stack."""
+    places = _places(program.config, "config") | _places(program.sample, "sample")
+    names = places | _places(program.state, "state") | _element(program.state)
+    return _Scope(program.name, frozenset(mutable), replace(C, names=names, whole=whole_variables(program)))
+
+
+def whole_variables(program: Program) -> frozenset[str]:
+    """Variables of a step that are nothing but flags and codes: set to whole constants, compared with constants.
+
+    They are printed as ``int``; the twin's floats take the same ways.
+    """
+    found = {f.name for f in program.variables if f.size == 1}
+    for s in walk(program.step):
+        node = s.condition if isinstance(s, When) else s.expression
+        if isinstance(s, Assign) and not s.expression.is_Integer:
+            found.discard(s.target)
+        plain = {r: sp.true for r in node.atoms(sp.core.relational.Relational) if _with_constant(r)}
+        found -= {symbol.name for symbol in node.xreplace(plain).free_symbols}
+    return frozenset(found)
+
+
+def _with_constant(r: sp.core.relational.Relational) -> bool:
+    return r.lhs.is_Symbol and r.rhs.is_Rational and r.rel_op in ("<", ">", "<=", ">=")
 
 
 def print_c(program: Program) -> str:
@@ -109,7 +144,10 @@ def print_c(program: Program) -> str:
     ]
     for kind in ("config", "state", "sample", "output"):
         parts.append(_struct(name, kind, getattr(program, kind)))
-    parts += [_init(program), _advance(program), LOOPS.format(name=name)]
+    bodies = [_init(program), _advance(program)]
+    if any("MAGNITUDE(" in body for body in bodies):
+        parts.insert(1, _MAGNITUDE)
+    parts += [*bodies, LOOPS.format(name=name)]
     return "\n".join(parts)
 
 
@@ -137,14 +175,13 @@ def _struct(name: str, kind: str, fields: tuple[Field, ...]) -> str:
     return "\n".join([*lines, f"}} {name}_{kind};\n"])
 
 
-def _locals(fields: Iterable[Field], used: set[str], name: str, source: str, qualifier: str) -> list[str]:
-    lines = []
-    for f in fields:
-        for i, symbol in enumerate(f.symbols):
-            if symbol.name in used:
-                place = f"{source}->{f.name}{f'[{i}]' if f.size > 1 else ''}"
-                lines.append(f"    {qualifier}{name}_real {symbol.name} = {place};")
-    return lines
+def _places(fields: Iterable[Field], struct: str) -> dict[str, str]:
+    """C text of every real of a struct, such as ``config->biquad_1[0]``."""
+    return {
+        symbol.name: f"{struct}->{f.name}{f'[{i}]' if f.size > 1 else ''}"
+        for f in fields
+        for i, symbol in enumerate(f.symbols)
+    }
 
 
 def _arrays(fields: Iterable[Field], name: str) -> list[str]:
@@ -188,7 +225,8 @@ def _body(body: Iterable[Statement], scope: _Scope, depth: int) -> list[str]:
         if isinstance(s, When):
             lines += _guard(s, scope, depth)
             continue
-        text = expression_text(s.expression, scope.language)
+        is_whole = s.target in scope.language.whole
+        text = str(int(s.expression)) if is_whole else expression_text(s.expression, scope.language)
         kind = "" if s.target in scope.mutable else f"const {scope.name}_real "
         comment = f" /* {s.comment} */" if s.comment else ""
         target = scope.language.names.get(s.target, s.target)
@@ -213,49 +251,47 @@ def _guard(s: When, scope: _Scope, depth: int) -> list[str]:
 def _init(program: Program) -> str:
     name = program.name
     read = names_read(program.init)
-    scope = _scope(program, {s.name for f in program.state for s in f.symbols})
-    written = names_written(program.init)
-    single = {s.name for f in program.state if f.size == 1 for s in f.symbols}
-    declared = [f"    {name}_real {n};" for n in sorted(single & written)]
     lines = [
         "/* The state before the first sample: the prior. */",
         f"SIMILITUDE_API void {name}_init(const {name}_config *config, {name}_state *state)",
         "{",
         *([] if read & {s.name for f in program.config for s in f.symbols} else ["    (void)config;"]),
-        *_locals(program.config, read, name, "config", "const "),
         *_arrays(program.state, name),
-        *declared,
-        *_body(program.init, scope, 1),
-        *_stores(program.state, written & single, "state"),
+        *_body(program.init, _scope(program, {s.name for f in program.state for s in f.symbols}), 1),
         "}\n",
     ]
     return "\n".join(lines)
 
 
+def _declared(name: str, scope: _Scope) -> str:
+    return (
+        f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+    )
+
+
+# The structs are four objects, said to the compiler by restrict: it may read a number again instead of
+# keeping a copy on the stack.
 def _advance(program: Program) -> str:
     name = program.name
-    read, written = names_read(program.step), names_written(program.step)
+    written = names_written(program.step)
     outputs = {s.name for f in program.output for s in f.symbols}
     states = {s.name for f in program.state for s in f.symbols}
     working = {f.name for f in program.variables}
     scope = _scope(program, states | outputs | working)
-    single = {s.name for f in program.state if f.size == 1 for s in f.symbols}
     lines = [
         "/* What the step and the batch loop do with one sample. */",
-        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
-        f"                                     const {name}_sample *sample, {name}_output *output)",
+        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *restrict config,",
+        f"                                     {name}_state *restrict state,",
+        f"                                     const {name}_sample *restrict sample,",
+        f"                                     {name}_output *restrict output)",
         "{",
-        *_locals(program.config, read, name, "config", "const "),
-        *_locals(program.sample, read, name, "sample", "const "),
         *_arrays(program.state, name),
-        *_locals(program.state, (read | written) & single, name, "state", ""),
-        *[f"    {name}_real {n} = R(0.0);" for n in sorted((outputs | working) & written)],
+        *[_declared(n, scope) for n in sorted((outputs | working) & written)],
         "",
         *_body(program.step, scope, 1),
         "",
-        *_stores(program.state, written & single, "state"),
         *_stores(program.output, written, "output"),
-        "    return (int)status;",
+        "    return status;" if "status" in scope.language.whole else "    return (int)status;",
         "}\n",
     ]
     return "\n".join(lines)

@@ -1,7 +1,8 @@
 """Prints one expression the same way for C and for Python, so that both round alike.
 
 Invariant: both languages evaluate the printed text left to right with the same brackets; powers
-are products, there is no function call, and a select is the only branch inside an expression.
+are products, there is no function call (a magnitude is the sign bit cleared), and a select is the only
+branch inside an expression.
 """
 
 from __future__ import annotations
@@ -26,10 +27,12 @@ class Language:
     conjunction: str
     disjunction: str
     negation: str
+    magnitude: str = "abs({})"
     names: Mapping[str, str] = field(default_factory=dict)  # symbols that are written otherwise
+    whole: frozenset[str] = frozenset()  # symbols that are integers, and compared with constants alone
 
 
-C = Language("R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})")
+C = Language("R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "MAGNITUDE({})")
 PYTHON = Language("{}", "({a} if {c} else {b})", " and ", " or ", "not ({})")
 
 
@@ -57,6 +60,7 @@ class _Printer:
             (sp.Pow, self._pow),
             (sp.Max, self._extreme),
             (sp.Min, self._extreme),
+            (sp.Abs, self._magnitude),
             (sp.core.relational.Relational, self._relation),
             (sp.And, self._and),
             (sp.Or, self._or),
@@ -146,7 +150,13 @@ class _Printer:
             text = self.language.select.format(c=f"({text}) {sign} ({other})", a=text, b=other)
         return text
 
+    def _magnitude(self, node: sp.Abs) -> str:
+        return self.language.magnitude.format(self.text(node.args[0]))
+
     def _relation(self, node: sp.core.relational.Relational) -> str:
+        if isinstance(node.lhs, sp.Symbol) and node.lhs.name in self.language.whole:
+            bound = sp.ceiling(node.rhs) if node.rel_op in ("<", ">=") else sp.floor(node.rhs)
+            return f"{self._symbol(node.lhs)} {node.rel_op} {int(bound)}"
         return f"{self._bracket(node.lhs)} {node.rel_op} {self._bracket(node.rhs)}"
 
     def _and(self, node: sp.And) -> str:

@@ -104,7 +104,7 @@ def _prospects(look: Inspection) -> dict[str, Any] | None:
         "stays_linear": plan.is_linear,
         "ln_K_std_with_known_steer_scale": plan.known_scale,
         "too_slow": plan.too_slow,
-        "steer_lag": {"value": plan.scan.chosen, "std": plan.scan.std, "unit": "s", "from": plan.scan.origin},
+        "steer_lag": {"value": plan.scan.total, "std": plan.scan.std, "unit": "s", "from": plan.scan.origin},
         "commanded": plan.commanded,
         "in_words": outlook(plan),
     }

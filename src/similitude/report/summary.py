@@ -56,6 +56,8 @@ def summary(run: Run, files: Mapping[str, str] | None = None) -> dict[str, Any]:
             },
             "lag": {
                 "value": run.lag.chosen,
+                "servo": run.lag.servo.constant,
+                "servo_slew": run.lag.servo.slew,
                 "unit": "s",
                 "from": run.lag.origin,
                 "scanned_s": run.lag.lags,

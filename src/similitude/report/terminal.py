@@ -41,6 +41,7 @@ VERDICT_STYLES = {
 PREDICTORS = {
     "estimate": "the estimate of that moment",
     "frozen_averages": "the average vehicle, offset and bias followed",
+    "averages_with_lag": "the same with this log's steer lag",
     "batch": "one car fitted to the whole log, offset and bias too",
     "kinematic": "U δ / L, tyres that do not slip",
 }

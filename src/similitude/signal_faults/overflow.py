@@ -17,7 +17,7 @@ from similitude.finding import Finding
 from similitude.log_columns import Column
 
 FAR = 0.6  # of the whole range from one row to the next: no car turns so fast
-FEWEST_JUMPS, MOST_JUMPS = 2, 0.05  # there and back, and of the rows: more is how the signal is
+FEWEST_JUMPS, MOST_JUMPS = 2, 0.2  # there and back, and of the rows: more is how the signal is
 BETWEEN = 0.3  # of the range; hardly a step lies between this and a jump
 UNUSUAL = 5.0  # sds of the usual steps, which a jump is beyond: noise throws none of them
 ROOM = 8.0  # of these sds, by which jumps may differ in size

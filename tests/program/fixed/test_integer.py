@@ -38,7 +38,7 @@ def test_a_range_holds_what_wide_products_give(a, b, c):
     for node in (it.mulw(x, y), it.mulh(x, z)):
         assert node.lo <= value(node, x=a[2], y=b[2], z=c[2]) <= node.hi
     exact = c[2] * a[2] / 2**64
-    assert abs(value(it.mulh(x, z), x=a[2], z=c[2]) - exact) <= 3  # two dropped parts, and the rounding of /
+    assert abs(value(it.mulh(x, z), x=a[2], z=c[2]) - exact) <= 7  # six units, and the rounding of /
 
 
 @given(st.integers(-(2**62), 2**62), st.integers(0, 2**62), st.integers(-62, 62))
@@ -49,7 +49,7 @@ def test_a_quotient_is_the_nearest_one_and_saturates(n, d, up):
     found, exact = value(node, n=n, d=d), n * 2.0**up / max(d, 1)
 
     assert -5000 <= found <= 5000
-    assert abs(found - min(max(exact, -5000), 5000)) <= 0.5 + 1 + 5000 * 2.0**-30  # a divisor cut to 31 bits
+    assert abs(found - min(max(exact, -5000), 5000)) <= 0.5 + 5000 * 2.0**-27  # 28 bits
 
 
 def test_what_could_leave_62_bits_cannot_be_made():

@@ -19,4 +19,4 @@ def test_a_field_tells_format_range_and_step():
     fixed = tiny_fixed()
 
     assert list(words(fixed)) == [f.name for f in halves(fixed.state)]
-    assert resolution(fixed.output[0]).startswith("Q27: -10 to 10 in steps of 7.5e-09")
+    assert resolution(fixed.output[0]).startswith("Q24: -10 to 10 in steps of 6e-08")

@@ -33,8 +33,8 @@ def test_it_follows_the_real_program_to_its_resolution():
         mean += min(1.0, dt * RATE) * (x - mean)
         wanted.append(mean)
     weight = 0.1 * RATE
-    # a literal and a weight of 30 bits, each of which moves the mean by its share of 20 volts
-    bound = FIXED.output[0].format.step + 20 * (2.0**-29 + 2.0**-30) / weight
+    # a literal of 30 bits and a weight of 28, each of which moves the mean by its share of 20 volts
+    bound = FIXED.output[0].format.step + 20 * (2.0**-29 + 2.0**-27) / weight
 
     assert np.abs(outputs[:, 0] * FIXED.output[0].format.step - wanted).max() <= bound
 

@@ -68,14 +68,15 @@ def thin(value: Scaled) -> Scaled:
     return Scaled(thinner, value.fraction - drop)
 
 
-def total(parts: Sequence[Value]) -> Value:
-    """The sum, with the digits of its finest term as far as 62 bits hold them."""
+def total(parts: Sequence[Value], most: int | None = None) -> Value:
+    """The sum, with the digits of its finest term as far as 62 bits hold them, or ``most`` of them."""
     plain = sum((p for p in parts if isinstance(p, Fraction)), Fraction(0))
     scaled = [p for p in parts if isinstance(p, Scaled)]
     if not scaled:
         return plain
     largest = sum((p.magnitude for p in scaled), abs(plain))
     fraction = min(max(p.fraction for p in scaled), fraction_of(largest, WIDE_ROOM))
+    fraction = fraction if most is None else min(fraction, most)
     terms = sorted((at(p, fraction) for p in scaled), key=lambda term: term.kind == "neg")
     node = terms[0]
     for term in terms[1:]:
@@ -100,8 +101,15 @@ def times(a: Value, b: Value) -> Value:
     if a.node.bits + b.node.bits <= 62:
         return Scaled(it.mulx(a.node, b.node), a.fraction + b.fraction)
     if b.node.is_narrow:
+        b = filled(b)
         return Scaled(it.mulw(a.node, b.node), a.fraction + b.fraction - 32)
     return Scaled(it.mulh(a.node, b.node), a.fraction + b.fraction - 64)
+
+
+def filled(x: Scaled) -> Scaled:
+    """The same with every bit of the word in use."""
+    up = 31 - x.node.bits
+    return Scaled(it.shl(x.node, up), x.fraction + up) if up > 0 else x
 
 
 def _thinned(a: Scaled) -> Scaled:
@@ -122,7 +130,7 @@ def by_number(a: Scaled, c: Fraction) -> Value:
     if c.denominator == 1 and c.numerator & (c.numerator - 1) == 0:
         return Scaled(a.node, a.fraction - (c.numerator.bit_length() - 1))
     if c.denominator == 1 << power and c.numerator == c.denominator - 1 and not a.node.is_narrow:
-        return Scaled(it.sub(a.node, it.shr(a.node, power)), a.fraction)
+        return Scaled(it.fade(a.node, power), a.fraction)
     a, fraction = _thinned(a), fraction_of(c, 2**MANTISSA - 1)
     mantissa = literal(c, fraction)
     if a.node.is_narrow:

@@ -29,12 +29,14 @@ class Ranges:
     """What the lowering is told of a program's variables.
 
     ``stated`` least and greatest of sample fields, bounded states and temporaries that are clamped;
-    ``wide`` those kept in 64 bits; ``whole`` those that count.
+    ``wide`` those kept in 64 bits; ``whole`` those that count. ``full``: products of narrow variables are
+    exact too, in 64 bits, where 29 bits are not enough.
     """
 
     stated: Mapping[str, Span]
     wide: frozenset[str] = field(default_factory=frozenset)
     whole: frozenset[str] = field(default_factory=frozenset)
+    full: bool = False
 
 
 def bounds(program: Program, constants: Mapping[str, float], ranges: Ranges) -> dict[str, Span]:

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from similitude.program.c import LOOPS
 from similitude.program.fixed import integer as it
+from similitude.program.fixed.c_functions import FUNCTIONS, NEEDS
 from similitude.program.fixed.layout import halves, resolution, words
 from similitude.program.fixed.lower import FixedProgram, Held, If, Put
 from similitude.program.fixed.operations import operations, used
@@ -48,87 +49,6 @@ _ALWAYS = """\
 typedef char {name}_shifts_keep_the_sign[((-1) >> 1) == -1 ? 1 : -1];
 
 """
-_HELPERS = {
-    "clamp": """\
-/* The value of lo..hi that is nearest to x. */
-static int32_t {name}_clamp(int64_t x, int32_t lo, int32_t hi)
-{{
-    return (x < lo) ? lo : ((x > hi) ? hi : (int32_t)x);
-}}
-""",
-    "clamp_wide": """\
-/* The same in 64 bits. */
-static int64_t {name}_clamp_wide(int64_t x, int64_t lo, int64_t hi)
-{{
-    return (x < lo) ? lo : ((x > hi) ? hi : x);
-}}
-""",
-    "mulw": """\
-/* (a b) >> 32 */
-static int64_t {name}_mulw(int64_t a, int32_t b)
-{{
-    const int64_t low = (int64_t)(a & INT64_C(0xFFFFFFFF)) * b;
-    return ((int64_t)(int32_t)(a >> 32) * b) + (low >> 32);
-}}
-""",
-    "mulh": """\
-/* About (a b) >> 64. */
-static int64_t {name}_mulh(int64_t a, int64_t b)
-{{
-    const int32_t high = (int32_t)(b >> 32);
-    const int64_t low = (int64_t)(b & INT64_C(0xFFFFFFFF)) * (int32_t)(a >> 32);
-    return {name}_mulw(a, high) + (low >> 32);
-}}
-""",
-    "quotient": """\
-/* n 2^up/d to the nearest, kept in lo..hi; a divisor below one counts as one. */
-static int32_t {name}_quotient(int64_t n, int64_t d, int up, int32_t lo, int32_t hi)
-{{
-    int64_t under = (d < 1) ? 1 : d;
-    int64_t over = n;
-    int64_t q;
-    if (under >= INT64_C(0x800000000000)) {{
-        under >>= 16;
-        up -= 16;
-    }}
-    if (under >= INT64_C(0x8000000000)) {{
-        under >>= 8;
-        up -= 8;
-    }}
-    if (under >= INT64_C(0x800000000)) {{
-        under >>= 4;
-        up -= 4;
-    }}
-    if (under >= INT64_C(0x200000000)) {{
-        under >>= 2;
-        up -= 2;
-    }}
-    if (under >= INT64_C(0x100000000)) {{
-        under >>= 1;
-        up -= 1;
-    }}
-    if (under >= INT64_C(0x80000000)) {{
-        under >>= 1;
-        up -= 1;
-    }}
-    if (up < 0) {{
-        over = over >> ((up < -62) ? 62 : -up);
-    }} else {{
-        const int64_t most = (up > 61) ? 0 : (INT64_C(0x3FFFFFFFFFFFFFFF) >> up);
-        if (over > most) {{
-            return hi;
-        }}
-        if (over < -most) {{
-            return lo;
-        }}
-        over = (over == 0) ? 0 : (over * (INT64_C(1) << up));
-    }}
-    q = (over < 0) ? -((-over + (under >> 1)) / under) : ((over + (under >> 1)) / under);
-    return {name}_clamp(q, lo, hi);
-}}
-""",
-}
-_NEEDS = {"quotient": ("clamp",), "mulh": ("mulw",)}
 
 
 def print_fixed_c(fixed: FixedProgram) -> str:
@@ -148,9 +68,11 @@ def print_fixed_c(fixed: FixedProgram) -> str:
         least=operations(fixed.step, most=False),
         state=len(words(fixed)),
     )
-    kinds = used(fixed.step)
-    wanted = kinds | {more for kind in kinds for more in _NEEDS.get(kind, ())}
-    helpers = "\n".join(text.format(name=name) for kind, text in _HELPERS.items() if kind in wanted)
+    kinds = used(fixed.step) | {"limit"}
+    wanted = kinds | {more for kind in kinds for more in NEEDS.get(kind, ())}
+    wanted |= {"up"} if "_up(" in "".join(_body(fixed, fixed.step, 1)) else set()
+    wanted |= {"halves"} if any(f.format.wide for f in fixed.state) else set()
+    helpers = "\n".join(text.format(name=name) for kind, text in FUNCTIONS.items() if kind in wanted)
     structs = [
         _struct(name, "config", ["int32_t numbers;"], ["[-] which numbers the estimator was made for"]),
         _struct(name, "state", *_lines(halves(fixed.state))),
@@ -193,18 +115,17 @@ def _advance(fixed: FixedProgram) -> str:
     rows = [f"    const int32_t {f.name} = sample->{f.name};" for f in fixed.sample]
     for f in fixed.state:
         if f.format.wide:
-            joined = f"((int64_t)state->{f.name}_high * INT64_C(4294967296)) + state->{f.name}_low"
-            rows.append(f"    int64_t {f.name} = {joined};")
+            both = f"state->{f.name}_high, state->{f.name}_low"
+            rows.append(f"    int64_t {f.name} = {name}_join({both});")
         else:
             rows.append(f"    int32_t {f.name} = state->{f.name};")
     rows += [f"    {_kind(f.wide)} {n} = 0;" for n, f in sorted(fixed.working.items())]
     stores = []
     for f in fixed.state:
         if f.format.wide:
-            high = f"(int32_t)(({f.name} + INT64_C(2147483648)) >> 32)"
-            stores.append(f"    state->{f.name}_high = {high};")
-            low = f"(int32_t)({f.name} - ((int64_t)state->{f.name}_high * INT64_C(4294967296)))"
-            stores.append(f"    state->{f.name}_low = {low};")
+            stores.append(f"    state->{f.name}_high = {name}_upper({f.name} + INT64_C(2147483648));")
+            rest = f"{f.name} - {name}_join(state->{f.name}_high, 0)"
+            stores.append(f"    state->{f.name}_low = (int32_t)({rest});")
         else:
             stores.append(f"    state->{f.name} = {f.name};")
     return "\n".join(
@@ -299,6 +220,8 @@ def _unary(node: it.Int, name: str) -> tuple[str, bool]:
     n = node.args[1]
     if node.kind == "shl":
         wide = wide or not node.is_narrow
+        if was:
+            return f"{name}_up({a}, {n})", True
         return f"({_wide(a, was) if wide else a} * {_number(1 << n, wide)})", wide
     half = 1 << (n - 1)
     wide = wide or node.args[0].hi + half > it.NARROW[1] or n > 31
@@ -308,13 +231,18 @@ def _unary(node: it.Int, name: str) -> tuple[str, bool]:
 def _call(node: it.Int, name: str) -> tuple[str, bool]:
     args = node.args
     if node.kind == "clamp":
-        a, _ = _text(args[0], name)
+        a, is_wide = _text(args[0], name)
+        if not is_wide:
+            low, high = max(args[1], it.NARROW[0]), min(args[2], it.NARROW[1])
+            return f"{name}_limit({a}, {_number(low, False)}, {_number(high, False)})", False
         narrow = it.NARROW[0] <= args[1] and args[2] <= it.NARROW[1]
         if not narrow and node.is_narrow:
             low, high = max(args[1], it.NARROW[0]), min(args[2], it.NARROW[1])
             return f"{name}_clamp({a}, {_number(low, False)}, {_number(high, False)})", False
         function = f"{name}_clamp" if narrow else f"{name}_clamp_wide"
         return f"{function}({a}, {_number(args[1], not narrow)}, {_number(args[2], not narrow)})", not narrow
+    if node.kind == "mulq":
+        return f"{name}_mulq({_narrow(args[0], name)}, {_narrow(args[1], name)})", False
     if node.kind == "mulw":
         return f"{name}_mulw({_text(args[0], name)[0]}, {_narrow(args[1], name)})", True
     if node.kind == "mulh":

@@ -12,8 +12,10 @@ import sympy as sp
 
 from similitude.errors import ProgramError
 from similitude.program.fixed import integer as it
-from similitude.program.fixed.arithmetic import Scaled, Value, at, literal, ratio, thin, times, total
+from similitude.program.fixed.arithmetic import FEW, Scaled, Value, at, literal, ratio, thin, times, total
 from similitude.program.fixed.formats import WIDE_ROOM, Format, format_of, fraction_of
+from similitude.program.fixed.slim import Term, odd_part, plain, product, settled
+from similitude.program.fixed.slim import total as slim_total
 
 
 class Expressions:
@@ -25,7 +27,10 @@ class Expressions:
         formats: Mapping[str, Format],
         temporaries: dict[str, Format],
         env: dict[str, tuple[int, int]],
+        again: Mapping[tuple[str, Fraction], int] | None = None,
+        products: dict[tuple[str, Fraction], tuple[Scaled, Fraction]] | None = None,
     ) -> None:
+        self.again, self.products = again or {}, {} if products is None else products
         self.here, self.formats, self.temporaries, self.env = here, formats, temporaries, env
         self.made: list[tuple[str, it.Int]] = []
 
@@ -35,8 +40,16 @@ class Expressions:
         assert isinstance(value, Fraction), e
         return value
 
-    def value(self, e: sp.Basic, target: Format | None = None) -> Value:
-        """An expression; ``target`` is the format it is assigned to, which a division needs."""
+    def value(self, e: sp.Basic, target: Format | None = None, *, full: bool = False) -> Value:
+        """An expression; ``target`` is the format it is assigned to, which a division needs.
+
+        ``full``: in 64 bits, as what goes into a wide variable is.
+        """
+        full = full or (target is not None and target.wide)
+        if not full and isinstance(e, sp.Add | sp.Mul | sp.Pow):
+            found = self._slim(e, target)
+            if found is not None:
+                return found
         if isinstance(e, sp.Symbol):
             return self._symbol(e.name)
         if isinstance(e, sp.Rational):
@@ -44,13 +57,14 @@ class Expressions:
         if isinstance(e, sp.Number):
             return Fraction(float(e))
         if isinstance(e, sp.Add):
-            return total([self.value(a) for a in sorted(e.args, key=sp.default_sort_key)])
+            most = target.fraction if target is not None and target.wide else None
+            return total([self.value(a, full=True) for a in sorted(e.args, key=sp.default_sort_key)], most)
         if isinstance(e, sp.Mul | sp.Pow):
-            return self._product(e, target)
+            return self._product(e, target, full=full)
         if isinstance(e, sp.Max | sp.Min):
-            return self._extreme(e, target)
+            return self._extreme(e, target, full=full)
         if isinstance(e, sp.Piecewise):
-            return self._piecewise(e)
+            return self._piecewise(e, full=full)
         raise ProgramError(
             f"{type(e).__name__} in {sp.sstr(e)[:80]!r} has no fixed-point form",
             usually="A function reached the step that the fixed profile does not know.",
@@ -64,14 +78,71 @@ class Expressions:
         kept = self.formats.get(name) or self.temporaries[name]
         return Scaled(it.name(name, *self.env[name], wide=kept.wide), kept.fraction)
 
-    def _product(self, e: sp.Expr, target: Format | None) -> Value:
+    def _slim(self, e: sp.Expr, target: Format | None) -> Value | None:
+        """The expression in 32 bits, or None where it divides or something in it is wider."""
+        terms, rest = [], Fraction(0)
+        for part in sorted(sp.Add.make_args(e), key=sp.default_sort_key):
+            term = self._term(part)
+            if term is None:
+                return None
+            if isinstance(term, Fraction):
+                rest += term
+            elif term.number:
+                terms.append(term)
+        if not terms:
+            return rest
+        fraction = None if target is None else target.fraction
+        if len(terms) == 1 and not rest and plain(terms[0].number) is not None:
+            value, k = terms[0].value, plain(terms[0].number)
+            node = it.neg(value.node) if terms[0].number < 0 else value.node
+            return Scaled(node, value.fraction - k)
+        return slim_total(terms, rest, fraction, self._shared)
+
+    def _term(self, e: sp.Expr) -> Term | Fraction | None:
+        """A product as a value in 32 bits times a number."""
+        number, factors = Fraction(1), []
+        for factor in sp.Mul.make_args(e):
+            base, exponent = factor.as_base_exp()
+            if not exponent.is_Integer:
+                base, exponent = self._refuse(e), sp.Integer(1)
+            lowered = self.value(base)
+            if isinstance(lowered, Fraction):
+                number *= lowered ** int(exponent)
+            elif exponent < 0:
+                return None
+            else:
+                factors += [thin(lowered) if lowered.node.bits <= 31 + FEW else lowered] * int(exponent)
+        if not factors:
+            return number
+        found = product(factors)
+        return None if found is None else Term(found, number)
+
+    def _shared(self, term: Term, fraction: int) -> Term:
+        """The term by a product that was taken before, or is taken now because it comes again."""
+        x, c = term.value.node, abs(term.number)
+        power = plain(c)
+        if power is not None or x.kind != "name":
+            return term
+        key = (x.args[0], odd_part(c))
+        if self.again.get(key, 0) < 2:
+            return term
+        if key not in self.products:
+            node = settled(Term(term.value, c), fraction)
+            if node is None:
+                return term
+            held = self.atom(node)
+            self.products[key] = (Scaled(held, fraction), c)
+        made, first = self.products[key]
+        return Term(made, term.number / first)
+
+    def _product(self, e: sp.Expr, target: Format | None, *, full: bool = True) -> Value:
         over: list[Value] = []
         under: list[Value] = []
         for factor in sp.Mul.make_args(e):
             base, exponent = factor.as_base_exp()
             if not exponent.is_Integer:
                 base, exponent = factor, sp.Integer(1)
-            lowered = self.value(base) if base is not e else self._refuse(e)
+            lowered = self.value(base, full=full) if base is not e else self._refuse(e)
             (over if exponent > 0 else under).extend([lowered] * abs(int(exponent)))
         over += [1 / f for f in under if isinstance(f, Fraction)]
         below = self._all([f for f in under if isinstance(f, Scaled)])
@@ -112,8 +183,8 @@ class Expressions:
             target = format_of(float(-most), float(most))
         return ratio(above, below, target)
 
-    def _extreme(self, e: sp.Max | sp.Min, target: Format | None) -> Value:
-        values = [self.value(a, target) for a in sorted(e.args, key=sp.default_sort_key)]
+    def _extreme(self, e: sp.Max | sp.Min, target: Format | None, *, full: bool) -> Value:
+        values = [self.value(a, target, full=full) for a in sorted(e.args, key=sp.default_sort_key)]
         is_max = isinstance(e, sp.Max)
         plain = [v for v in values if isinstance(v, Fraction)]
         scaled = [v for v in values if isinstance(v, Scaled)]
@@ -136,11 +207,11 @@ class Expressions:
         fraction = min(fraction, fraction_of(max(a.magnitude, b.magnitude), WIDE_ROOM))
         return self.atom(at(a, fraction)), self.atom(at(b, fraction)), fraction
 
-    def _piecewise(self, e: sp.Piecewise) -> Value:
+    def _piecewise(self, e: sp.Piecewise, *, full: bool) -> Value:
         *cases, (last, _) = e.args
-        value = self.value(last)
+        value = self.value(last, full=full)
         for chosen, condition in reversed(cases):
-            this, test = self.value(chosen), self.condition(condition)
+            this, test = self.value(chosen, full=full), self.condition(condition)
             if isinstance(this, Fraction) and isinstance(value, Fraction):
                 whole = max(this.denominator, value.denominator).bit_length() - 1
                 a, b, f = literal(this, whole), literal(value, whole), whole

@@ -13,6 +13,7 @@ from similitude.program.fixed.integer import NARROW
 
 WIDE_ROOM = 2**61  # greatest magnitude of a 64-bit variable: a sum of two still fits
 ROOM = Fraction(129, 128)  # of a sample's format over what is believed: beyond it must be seen
+SLIM = 2**28  # greatest magnitude of a 32-bit variable: a sum of eight still fits 32 bits
 MISSING = -(2**31)  # a sample that is not there
 
 
@@ -52,12 +53,15 @@ def fraction_of(magnitude: float | Fraction, most: int) -> int:
     return bits
 
 
-def format_of(low: float, high: float, *, wide: bool = False, whole: bool = False) -> Format:
-    """The finest format that holds low..high."""
-    most = WIDE_ROOM // 2 if wide else NARROW[1]
+def format_of(
+    low: float, high: float, *, wide: bool = False, whole: bool = False, full: bool = False
+) -> Format:
+    """The finest format that holds low..high; with room for a sum of eight, unless ``full``."""
+    most = WIDE_ROOM // 2 if wide else NARROW[1] if full else SLIM
     fraction = 0 if whole else fraction_of(max(abs(low), abs(high)), most - 1)
     scale = Fraction(2) ** fraction
-    return Format(fraction, math.floor(Fraction(low) * scale), math.ceil(Fraction(high) * scale), wide)
+    ends = (math.floor(Fraction(end) * scale + Fraction(1, 2)) for end in (low, high))  # as literals round
+    return Format(fraction, *ends, wide)
 
 
 def sample_format(low: float, high: float) -> Format:

@@ -3,11 +3,12 @@
     shr(x, n)      x/2^n to the nearest, halves up
     shl(x, n)      x 2^n
     mul(a, b)      two values of 32 bits, exact
+    mulq(a, b)     the same without its last 32 bits: (a b) >> 32
     mulx(a, b)     a of 64 bits and b so few that both fit 62: exact
-    mulw(a, b)     a of 64, b of 32 bits: (a b) >> 32
+    mulw(a, b)     a of 64, b of 32 bits: about (a b) >> 32
     mulh(a, b)     both of 64 bits: about (a b) >> 64
     clamp(x, l, h) the nearest in l..h
-    quotient(n, d, up, lo, hi)    n 2^up/d to the nearest, kept in lo..hi; d > 0
+    quotient(n, d, up, lo, hi)    n 2^up/d to 28 bits, kept in lo..hi; d > 0
 
 Invariant: an expression whose value could leave 63 bits cannot be made, so nothing that is printed wraps.
 """
@@ -74,6 +75,13 @@ def sub(a: Int, b: Int) -> Int:
     return _made("sub", (a, b), a.lo - b.hi, a.hi - b.lo)
 
 
+def fade(a: Int, n: int) -> Int:
+    """a less its own 2^-n, rounded: what forgetting keeps."""
+    kept = sub(a, shr(a, n))
+    half = 1 << (n - 1)
+    return Int(kept.kind, kept.args, a.lo - ((a.lo + half) >> n), a.hi - ((a.hi + half) >> n))
+
+
 def neg(a: Int) -> Int:
     """-a."""
     if a.kind == "const":
@@ -93,22 +101,29 @@ def mul(a: Int, b: Int) -> Int:
     return _made("mul", (a, b), *_corners(a, b))
 
 
+def mulq(a: Int, b: Int) -> Int:
+    """The upper half of the product of two values of 32 bits, rounded down."""
+    assert a.is_narrow and b.is_narrow
+    lo, hi = _corners(a, b)
+    return _made("mulq", (a, b), lo >> 32, hi >> 32)
+
+
 def mulx(a: Int, b: Int) -> Int:
     """The exact product of a wide and a small value."""
     return _made("mulx", (a, b), *_corners(a, b))
 
 
 def mulw(a: Int, b: Int) -> Int:
-    """The product of a wide and a narrow value without its last 32 bits, rounded down."""
+    """The product of a wide and a narrow value without its last 32 bits, three units off at most."""
     assert b.is_narrow
     lo, hi = _corners(a, b)
-    return _made("mulw", (a, b), lo >> 32, hi >> 32)
+    return _made("mulw", (a, b), (lo >> 32) - 3, (hi >> 32) + 3)
 
 
 def mulh(a: Int, b: Int) -> Int:
-    """The product of two wide values without its last 64 bits, two units low at most."""
+    """The product of two wide values without its last 64 bits, six units off at most."""
     lo, hi = _corners(a, b)
-    return _made("mulh", (a, b), (lo >> 64) - 2, hi >> 64)
+    return _made("mulh", (a, b), (lo >> 64) - 6, (hi >> 64) + 6)
 
 
 def shl(a: Int, n: int) -> Int:
@@ -138,7 +153,7 @@ def clamp(a: Int, lo: int, hi: int) -> Int:
 
 
 def quotient(n: Int, d: Int, up: int, lo: int, hi: int) -> Int:
-    """n 2^up/d to the nearest, kept in lo..hi of 32 bits; a divisor below one counts as one."""
+    """n 2^up/d to 28 bits, kept in lo..hi of 32 bits; a divisor below one counts as one."""
     assert NARROW[0] < lo <= hi <= NARROW[1]
     return _made("quotient", (n, d, up, lo, hi), lo if n.lo < 0 else max(lo, min(0, hi)), hi)
 

@@ -19,6 +19,7 @@ from similitude.program.fixed.arithmetic import Value, fit, narrowed
 from similitude.program.fixed.bounds import Ranges, bounds, read_names
 from similitude.program.fixed.expressions import Expressions
 from similitude.program.fixed.formats import Format, format_of, sample_format
+from similitude.program.fixed.slim import odd_part
 from similitude.program.ir import Assign, Field, Program, Statement, When, walk, without_unread
 
 
@@ -156,7 +157,7 @@ def _formats(
     for f in (*program.state, *program.variables, *program.output):
         for s in f.symbols:
             if s.name in found and s.name not in constants:
-                kind = {"wide": s.name in ranges.wide, "whole": s.name in whole}
+                kind = {"wide": s.name in ranges.wide, "whole": s.name in whole, "full": ranges.full}
                 formats[s.name] = format_of(*found[s.name], **kind)
     return formats
 
@@ -171,6 +172,8 @@ class _Body:
         self.written: set[str] = set()
         outputs = {s.name for f in program.output for s in f.symbols}
         states = {s.name for f in program.state for s in f.symbols}
+        self.products: dict = {}  # of a variable and a number, taken already
+        self.again = repeated(program, Expressions(self.here, {}, {}, {}))
         self.kept = read_names(program) | outputs | states | {"status"}
 
     def lowered(self) -> tuple[Put | If, ...]:
@@ -184,7 +187,9 @@ class _Body:
         """Lower statements; ``env`` is brought up to date."""
         lines: list[Put | If] = []
         for s in statements:
-            expressions = Expressions(self.here, self.formats, self.temporaries, env)
+            expressions = Expressions(
+                self.here, self.formats, self.temporaries, env, self.again, self.products
+            )
             if isinstance(s, When):
                 condition = expressions.condition(s.condition)
                 lines += self._temporaries(expressions)
@@ -200,7 +205,11 @@ class _Body:
         if condition in (it.TRUE, it.FALSE):
             return list(self.body(s.body if condition == it.TRUE else s.otherwise, env))
         inside, other = narrowed(env, condition, True), narrowed(env, condition, False)
-        body, otherwise = self.body(s.body, inside), self.body(s.otherwise, other)
+        before = dict(self.products)
+        body, after = self.body(s.body, inside), self.products
+        self.products = dict(before)
+        otherwise = self.body(s.otherwise, other)
+        self.products = {k: v for k, v in before.items() if k in after and k in self.products}
         for n in inside.keys() & other.keys():
             env[n] = (min(inside[n][0], other[n][0]), max(inside[n][1], other[n][1]))
         return [If(condition, body, otherwise, s.comment)] if body or otherwise else []
@@ -208,8 +217,10 @@ class _Body:
     def _assign(self, s: Assign, expressions: Expressions, env: dict[str, tuple[int, int]]) -> list[Put]:
         target = self.formats.get(s.target)
         if target is None and s.target in self.ranges.stated:
-            target = format_of(*self.ranges.stated[s.target], wide=s.target in self.ranges.wide)
-        value: Value = expressions.value(s.expression, target)
+            kind = {"wide": s.target in self.ranges.wide, "full": self.ranges.full}
+            target = format_of(*self.ranges.stated[s.target], **kind)
+        full = s.target in self.ranges.wide or self.ranges.full
+        value: Value = expressions.value(s.expression, target, full=full)
         if isinstance(value, Fraction) and s.target not in self.formats:
             self.here[s.target] = value
             return []
@@ -223,9 +234,32 @@ class _Body:
         else:
             self.written.add(s.target)
         env[s.target] = (node.lo, node.hi)
+        for key in [k for k in self.products if k[0] == s.target]:
+            del self.products[key]
         if node.kind == "name" and node.args[0] == s.target:
             return self._temporaries(expressions)
         return [*self._temporaries(expressions), Put(s.target, node, new, s.comment)]
+
+
+def repeated(program: Program, numbers: Expressions) -> dict[tuple[str, Fraction], int]:
+    """How often a variable is multiplied by the same number but for sign and a power of two."""
+    found: dict[tuple[str, Fraction], int] = {}
+    for s in walk(program.step):
+        if isinstance(s, When):
+            continue
+        for part in sp.Add.make_args(s.expression):
+            symbols = [f for f in sp.Mul.make_args(part) if _varies(f, numbers)]
+            if len(symbols) != 1 or not isinstance(symbols[0], sp.Symbol):
+                continue
+            number = abs(numbers.exact(part / symbols[0]))
+            if number:
+                key = (symbols[0].name, odd_part(number))
+                found[key] = found.get(key, 0) + 1
+    return found
+
+
+def _varies(e: sp.Expr, numbers: Expressions) -> bool:
+    return any(symbol.name not in numbers.here for symbol in e.free_symbols)
 
 
 __all__ = ["FixedProgram", "Held", "If", "Put", "lower", "settled"]

@@ -32,23 +32,38 @@ def _clamp(x, lo, hi):
     return lo if x < lo else hi if x > hi else x
 
 
-def _mulw(a, b):
+def _mulq(a, b):
     return a * b >> 32
 
 
+def _mulw(a, b):
+    return (a >> 32) * b + 2 * (((a & 0xFFFFFFFF) >> 1) * b >> 32)
+
+
 def _mulh(a, b):
-    return _mulw(a, b >> 32) + ((b & 0xFFFFFFFF) * (a >> 32) >> 32)
+    return _mulw(a, b >> 32) + 2 * (((b & 0xFFFFFFFF) >> 1) * (a >> 32) >> 32)
+
+
+def _leading(x):
+    bits = x.bit_length()
+    return x << 31 - bits if bits <= 31 else x >> bits - 31, bits
 
 
 def _quotient(n, d, up, lo, hi):
-    under = max(d, 1)
-    drop = max(under.bit_length() - 31, 0)
-    under, up = under >> drop, up - drop
-    over = n << up if up >= 0 else n >> min(-up, 62)
-    if abs(over) >= 2**62:
-        return hi if over > 0 else lo
-    half = under >> 1
-    return _clamp((over + half) // under if over >= 0 else -((half - over) // under), lo, hi)
+    under, below = _leading(max(d, 1))
+    over, above = _leading(abs(n))
+    first = (0x7FFFFFFF // (under >> 15)) << 15
+    miss = 0x20000000 - (under * first >> 32)
+    ratio = over * (first + (first * miss * 8 >> 32)) >> 32
+    shift = 29 - (above - below + up)
+    if n == 0 or shift > 31:
+        found = 0
+    elif shift < -2:
+        found = 0x7FFFFFFF
+    else:
+        found = ratio << -shift if shift <= 0 else ratio + (1 << shift - 1) >> shift
+    found = min(found, 0x7FFFFFFF)
+    return _clamp(-found if n < 0 else found, lo, hi)
 
 
 def init(config):

@@ -1,0 +1,50 @@
+"""Prints the population filter in the benchmark's cells on own plants, without the rivals: some minutes.
+
+`python scripts/benchmark_cells.py gusts straight` prints only cells whose names hold one of the words.
+A full run with every estimator is `similitude bench`.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from rich.console import Console
+from rich.table import Table
+
+from similitude.benchmark.cells import cells
+from similitude.benchmark.drives import drives
+from similitude.benchmark.ladder_entrants import ladder
+from similitude.benchmark.running import SEED, answer_scored
+from similitude.benchmark.tally import tally
+
+COLUMNS = {
+    "rms": ("rms ln K", "{:.1%}"),
+    "bias": ("bias", "{:+.1%}"),
+    "coverage": ("covered", "{:.1%}"),
+    "identified": ("identified", "{:.0%}"),
+    "wrong": ("wrong", "{}"),
+    "half_way_s": ("half-way", "{:.2f} s"),
+    "alarm_s": ("alarm", "{:.2f} s"),
+    "missed": ("missed", "{:.0%}"),
+    "false_alarms": ("false", "{}"),
+}
+
+
+def main(words: list[str]) -> None:
+    """Print a line a cell as it is done, and the table at the end."""
+    one = next(entrant for entrant in ladder() if entrant.name == "population")
+    table = Table(title="Population filter, cell by cell")
+    for name in ("cell", *(title for title, _ in COLUMNS.values())):
+        table.add_column(name, justify="left" if name == "cell" else "right")
+    for cell in cells(quick=False, foreign=False):
+        if words and not any(word in cell.name for word in words):
+            continue
+        row = tally([answer_scored(one, drive, truth) for drive, truth in drives(cell, SEED)], 1.0)
+        texts = ["" if row[n] is None else how.format(row[n]) for n, (_, how) in COLUMNS.items()]
+        print(cell.name, *texts, sep=" | ", flush=True)
+        table.add_row(cell.name, *texts)
+    Console(width=130).print(table)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,93 @@
+"""The servo behind a commanded steer, found from the log together with the lag.
+
+A command reaches the wheels late (bus, computer) and then as fast as a motor turns them. A pure lag in
+place of both is right on average and wrong at every quick turn of the wheel.
+
+Invariant: a measured steer angle has no servo; where the log says nothing, a command's is the usual one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from similitude.filter_config import COMMANDED_STEER_SD
+from similitude.filter_run import Setup
+from similitude.servo import DIRECT, Servo
+from similitude.steer_lag import RATE, STEP, LagScan, costs, lag_behind, losses
+
+CONSTANTS = (0.0, 0.015, 0.03, 0.045, 0.06, 0.08, 0.11)  # s
+SLEWS = (0.5, 0.8, 1.2, 1.8, 2.5, 3.2, 4.2, 6.0, np.inf)  # rad/s of the road wheels
+# Small servos turn 60 degrees in 0.1 to 0.2 s; 3.2 rad/s is what F1/10 simulators have for the road wheels.
+USUAL = Servo(0.040, 3.2)
+CONSTANT_LOG_SD, SLEW_LOG_SD = 0.7, 0.8
+QUICKEST = Servo(0.010, 10.0)  # no servo at all is as unusual as one so quick
+STEPS = (-STEP, -STEP / 2, STEP / 2, STEP)  # s
+ROUNDS = 3
+
+
+@dataclass(frozen=True)
+class _Trial:
+    servo: Servo
+    lag: float  # s
+
+    @property
+    def unusual(self) -> float:
+        """Negative log of the prior, up to a constant [-]."""
+        constant = np.log(max(self.servo.constant, QUICKEST.constant) / USUAL.constant) / CONSTANT_LOG_SD
+        slew = np.log(min(self.servo.slew, QUICKEST.slew) / USUAL.slew) / SLEW_LOG_SD
+        return 0.5 * float(constant**2 + slew**2)
+
+
+def find_servo(setup: Setup, scan: LagScan) -> LagScan:
+    """Lag and servo of a command; ``scan`` is that of a lag alone.
+
+    Parameters
+    ----------
+    setup : Setup    of the log, without lag.
+    scan : LagScan   whose lag says that the steer is a command.
+
+    Returns
+    -------
+    LagScan          of the lags behind the servo that was chosen.
+    """
+    coarse = setup.at_rate(RATE)
+    best = _Trial(DIRECT, scan.chosen)
+    best = _best(coarse, best, [trial for T in CONSTANTS for trial in _with_constant(best, T)])
+    best = _best(coarse, best, [replace(best, servo=replace(best.servo, slew=slew)) for slew in SLEWS])
+    for _ in range(ROUNDS):
+        before, best = best, _best(coarse, best, _near(best))
+        if best == before:
+            break
+    return replace(lag_behind(setup.with_servo(best.servo)), early=scan.early)
+
+
+def _near(trial: _Trial) -> list[_Trial]:
+    """One step of time constant, slew and lag to either side: what one loses the others may make up for."""
+
+    def beside(values: tuple[float, ...], value: float) -> tuple[float, ...]:
+        at = values.index(value)
+        return values[max(at - 1, 0) : at + 2]
+
+    lags = [replace(trial, lag=max(trial.lag + step, 0.0)) for step in STEPS]
+    near = [x for T in beside(CONSTANTS, trial.servo.constant) for x in _with_constant(trial, T)]
+    slews = beside(SLEWS, trial.servo.slew)
+    return [
+        replace(x, servo=replace(x.servo, slew=slew)) for x in dict.fromkeys(lags + near) for slew in slews
+    ]
+
+
+def _with_constant(trial: _Trial, constant: float) -> list[_Trial]:
+    """Another time constant with the lag as it was, and as it would have to be for the same delay in all."""
+    change = constant - trial.servo.constant
+    servo = replace(trial.servo, constant=constant)
+    return [_Trial(servo, max(trial.lag - share * change, 0.0)) for share in (0.0, 0.5, 1.0)]
+
+
+def _best(setup: Setup, best: _Trial, others: list[_Trial]) -> _Trial:
+    """The most probable of the trials, on the rows that all of them can show."""
+    tried = [best, *(trial for trial in others if trial != best and trial.lag >= 0)]
+    setups = [setup.with_servo(x.servo).with_lag(x.lag, COMMANDED_STEER_SD) for x in tried]
+    cost = costs(losses(setups), setup) + [x.unusual for x in tried]
+    return tried[int(np.argmin(cost))]
