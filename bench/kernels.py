@@ -16,8 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.drives import CAR, NOISE, SMALL_CAR, Drive
-from similitude.estimators.paper_design import P_START as P_PAPER
-from similitude.estimators.paper_design import bessel_biquads, paper_config
 from similitude.filter_config import filter_config
 from similitude.population import Prior
 from similitude.program.compile import load_library
@@ -26,15 +24,15 @@ from similitude.program.library import Library, shipped
 REFERENCE = Path(__file__).with_name("reference.c")
 FORGETTING = 0.999
 P_START = 1e3
-# The order of `config` in reference.c: the generated one's by name, or of TEXTBOOK.
+# The order of `config` in reference.c, by the generated one's names.
 PAPER_ORDER = (
     *("L", "pi1", "pi4_slope", "pi5", "sample_time"),
-    *(f"biquad_{section}_{i}" for section in (1, 2) for i in range(5)),
-    *("pi3_start", "P_start", "forgetting", "dead_zone", "settle_samples", "noise_variance"),
+    *(f"poles_{section}_{i}" for section in (1, 2) for i in range(2)),
+    *("pi3_start", "normal_start", "normal_least", "forgetting", "dead_zone"),
+    *("settle_samples", "noise_variance"),
     *("K_low", "K_limit", "variance_limit", "dt_low", "dt_high", "U_least"),
     *("input_limit", "output_limit", "output_jump", "signal_limit", "validity_limit"),
 )
-TEXTBOOK = {"P_start": P_PAPER}
 _POINTER, _LONG, _DOUBLE = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
 
 
@@ -116,9 +114,7 @@ def generated_kernel(name: str, config: NDArray[np.float64], drive: Drive) -> Ke
 
 def reference_paper_kernel(library: Library, config: NDArray[np.float64], drive: Drive) -> Kernel:
     """The hand-written loop, on the configuration of ``bicycle_paper``."""
-    stated = dict(zip(library.names("config"), config.tolist(), strict=True)) | TEXTBOOK
-    for k, row in enumerate(bessel_biquads(stated["sample_time"]).tolist(), start=1):
-        stated |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
+    stated = dict(zip(library.names("config"), config.tolist(), strict=True))
     own = np.array([stated[name] for name in PAPER_ORDER])
     call = reference().reference_paper
     return _loop(lambda at, n: call(own.ctypes.data, n, *at), drive, len(library.layout.OUTPUT))

@@ -24,8 +24,7 @@ API void reference_rls(double forgetting, double P, long n, const double *phi, c
 
 enum status { OK, NOT_EXCITED, OUTSIDE_LINEAR, AT_LIMIT, NO_MEASUREMENT, RESTARTED, TOO_SLOW, BAD_SAMPLE };
 
-typedef struct { double b0, b1, b2, a1, a2; } biquad;
-typedef struct { double first, second; } memory;
+typedef struct { double sum, a2; } poles; /* 1 + a1 + a2 and a2 of a section whose zeros are both at one */
 typedef struct { double dt, steer, U, yaw_rate; } sample;
 
 typedef struct {
@@ -34,32 +33,40 @@ typedef struct {
 
 typedef struct {
     double L, pi1, pi4_slope, pi5, sample_time;
-    biquad section[2];
-    double pi3_start, P_start, forgetting, dead_zone, settle_samples, noise_variance;
+    poles section[2];
+    double pi3_start, normal_start, normal_least, forgetting, dead_zone, settle_samples, noise_variance;
     double K_low, K_limit, variance_limit, dt_low, dt_high, U_least;
     double steer_limit, yaw_limit, yaw_jump, U_limit, validity_limit;
 } config;
 
 /* What follows from the configuration and stays the same for the whole log. */
 typedef struct {
-    double m1_per_U, m2, inv_L, direct, inv_direct, inv_forgetting, least_spread, validity_square;
+    double per_steer, per_yaw, normal_start, validity_square;
     long settle;
 } constants;
 
+/* A signal behind the high-pass: its last value and change, then what each section holds and its last change. */
+typedef struct { double last, change, held[2], moved[2]; } memory;
+
 typedef struct {
-    double theta, P, mean_square, weight, information;
-    memory steer[2], yaw[2];
-    double steer_before[2], yaw_before[2]; /* filtered, one and two samples ago */
-    double last_steer, last_yaw, last_U;
+    double theta, normal, mean_square, weight, information, last_U;
+    memory steer, yaw;
     long fresh;
 } state;
 
-static inline double filter(const biquad *q, memory *m, double x)
+/* The newest change of the filtered signal; the high-pass is run on differences, which round the least. */
+static inline double filter(const poles *section, memory *m, double step)
 {
-    const double y = q->b0 * x + m->first;
-    m->first = q->b1 * x - q->a1 * y + m->second;
-    m->second = q->b2 * x - q->a2 * y;
-    return y;
+    double bend = step - m->change;
+    m->change = step;
+    const double first = bend + m->moved[0] * section[0].a2 - m->held[0] * section[0].sum;
+    bend = first - m->moved[0];
+    m->held[0] += first;
+    m->moved[0] = first;
+    const double second = bend + m->moved[1] * section[1].a2 - m->held[1] * section[1].sum;
+    m->held[1] += second;
+    m->moved[1] = second;
+    return second;
 }
 
 static inline double clamp(double x, double low, double high)
@@ -71,32 +78,25 @@ static constants prepare(const config *c)
 {
     const double rear = (1.0 - c->pi1) * (1.0 - c->pi1) * c->pi4_slope;
     constants k;
-    k.inv_L = 1.0 / c->L;
-    k.m1_per_U = c->pi1 / c->pi5 * c->sample_time * k.inv_L;
-    k.m2 = (1.0 + c->pi4_slope + (c->pi1 * c->pi1 + rear) / c->pi5) * c->sample_time;
-    k.direct = c->section[0].b0 * c->section[1].b0;
-    k.inv_direct = 1.0 / k.direct;
-    k.inv_forgetting = 1.0 / c->forgetting;
-    k.least_spread = c->noise_variance * k.direct * k.direct;
+    k.per_steer = c->pi1 * c->sample_time / (c->L * c->L * c->pi5);
+    k.per_yaw = (1.0 + c->pi4_slope + (c->pi1 * c->pi1 + rear) / c->pi5) * c->sample_time / c->L;
+    k.normal_start = c->normal_start / (c->L * c->L);
     k.validity_square = c->validity_limit * c->validity_limit;
     k.settle = (long)c->settle_samples;
     return k;
 }
 
 /* One update of the regression; returns the sample's status. */
-static inline int learn(const config *c, const constants *k, state *s, double phi, double y,
-                        double least_spread, double yaw_rate)
+static inline int learn(const config *c, const constants *k, state *s, double phi, double residual)
 {
-    const double residual = y - phi * s->theta;
-    const double gain = s->P * phi / (c->forgetting + phi * phi * s->P);
     const double explained = phi * s->theta;
-    const double ay = s->last_U * yaw_rate;
+    const double ay = s->last_U * s->yaw.last;
+    const double spread = c->noise_variance;
+    s->normal = c->forgetting * s->normal + phi * phi + c->normal_least;
+    s->theta = clamp(s->theta + phi * residual / s->normal, -c->K_limit, c->K_limit);
     s->weight = c->forgetting * s->weight + 1.0;
     s->mean_square += (residual * residual - s->mean_square) / s->weight;
-    s->information +=
-        explained * explained / (s->mean_square > least_spread ? s->mean_square : least_spread);
-    s->theta = clamp(s->theta + gain * residual, -c->K_limit, c->K_limit);
-    s->P = (1.0 - gain * phi) * s->P * k->inv_forgetting;
+    s->information += explained * explained / (s->mean_square > spread ? s->mean_square : spread);
     if (s->theta <= c->K_low)
         return AT_LIMIT;
     return ay * ay > k->validity_square ? OUTSIDE_LINEAR : OK;
@@ -106,16 +106,16 @@ static inline int advance(const config *c, const constants *k, state *s, const s
 {
     int status = NOT_EXCITED, usable = 1, live = 1;
     double steer = in->steer, U = in->U, yaw = in->yaw_rate;
-    const double change = yaw - s->last_yaw;
+    const double change = yaw - s->yaw.last;
     /* The limits are written so that a NaN fails them. */
     if (!(U < c->U_limit && U > -c->U_limit && steer < c->steer_limit && steer > -c->steer_limit)) {
-        steer = s->last_steer;
+        steer = s->steer.last;
         U = s->last_U;
         usable = 0;
     }
     if (!(yaw < c->yaw_limit && yaw > -c->yaw_limit)
         || (s->fresh > 0 && (change > c->yaw_jump || change < -c->yaw_jump))) {
-        yaw = s->last_yaw;
+        yaw = s->yaw.last;
         usable = 0;
     }
     if (U > c->U_least) {
@@ -134,45 +134,34 @@ static inline int advance(const config *c, const constants *k, state *s, const s
         s->fresh = 0;
         status = NO_MEASUREMENT;
     }
-    const double phi = (k->m2 / s->last_U * (s->yaw_before[1] - s->yaw_before[0])
-                        + k->m1_per_U * (s->steer_before[0] - s->steer_before[1])) * k->inv_L;
-    const double expected = 2.0 * s->yaw_before[0] - s->yaw_before[1] + phi * s->theta;
-    const double rest = c->section[1].b0 * s->yaw[0].first + s->yaw[1].first;
-    out->predicted = (expected - rest) * k->inv_direct;
-    out->innovation = usable ? yaw - out->predicted : 0.0;
-
-    const double steer_filtered =
-        filter(&c->section[1], &s->steer[1], filter(&c->section[0], &s->steer[0], steer));
-    const double yaw_filtered =
-        filter(&c->section[1], &s->yaw[1], filter(&c->section[0], &s->yaw[0], yaw));
+    const double moved = s->yaw.moved[1];
+    const double phi = k->per_steer * s->steer.moved[1] - k->per_yaw / s->last_U * moved;
+    filter(c->section, &s->steer, steer - s->steer.last);
+    const double y = filter(c->section, &s->yaw, yaw - s->yaw.last) - moved;
+    s->steer.last = steer;
+    s->yaw.last = yaw;
+    const double residual = y - phi * s->theta;
+    out->predicted = yaw - residual; /* the newest yaw rate has weight one in y */
+    out->innovation = usable ? residual : 0.0;
     if (live && s->fresh > k->settle && (yaw > c->dead_zone || yaw < -c->dead_zone)) {
-        const double y = yaw_filtered - 2.0 * s->yaw_before[0] + s->yaw_before[1];
-        status = learn(c, k, s, phi, y, k->least_spread, yaw);
+        status = learn(c, k, s, phi, residual);
     } else if (s->weight < 0.5) { /* nothing was learnt yet: the start is one of pi3 */
         s->theta = c->pi3_start * s->last_U * s->last_U;
-        s->P = c->P_start * c->L * c->L * s->last_U * s->last_U;
+        s->normal = k->normal_start / (s->last_U * s->last_U);
     }
-    s->yaw_before[1] = s->yaw_before[0];
-    s->yaw_before[0] = yaw_filtered;
-    s->steer_before[1] = s->steer_before[0];
-    s->steer_before[0] = steer_filtered;
-    s->last_steer = steer;
-    s->last_yaw = yaw;
     return status;
 }
 
-static inline void report(const config *c, const constants *k, const state *s, output *out)
+static inline void report(const config *c, const state *s, output *out)
 {
     const double K = s->theta > c->K_low ? s->theta : c->K_low;
-    const double square = k->inv_direct * k->inv_direct;
-    const double spread = s->mean_square * square;
     out->pi3 = K / (s->last_U * s->last_U);
     out->K = K;
-    out->innovation_variance = spread > c->noise_variance ? spread : c->noise_variance;
+    out->innovation_variance = s->mean_square > c->noise_variance ? s->mean_square : c->noise_variance;
     out->information = s->information;
     out->ln_K_variance = c->variance_limit;
     if (s->weight > 0.5) {
-        const double variance = s->P * out->innovation_variance / (K * K * square);
+        const double variance = out->innovation_variance / (s->normal * K * K);
         if (variance < c->variance_limit)
             out->ln_K_variance = variance;
     }
@@ -187,10 +176,10 @@ API void reference_paper(const config *c, long n, const sample *in, output *out,
         if (in[i].dt > 0.0 && in[i].dt < 1e6) {
             status[i] = advance(c, &k, &s, &in[i], &out[i]);
         } else {
-            out[i].predicted = s.last_yaw;
+            out[i].predicted = s.yaw.last;
             out[i].innovation = 0.0;
             status[i] = BAD_SAMPLE;
         }
-        report(c, &k, &s, &out[i]);
+        report(c, &s, &out[i]);
     }
 }

@@ -23,7 +23,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 DATA = ROOT / "data"
 OUT = ROOT / "demo-out"
 
-SINE_FREQUENCY = 0.5  # Hz
+SINE_FREQUENCY = 0.8  # Hz
 SINE_AMPLITUDE = 3e-3  # rad at the road wheel, some 3 degrees at the steering wheel
 # The bicycle that answers the sine. K is 25 % below the population's average, so that finding it
 # means having learnt it; the rest is the average car.

@@ -125,6 +125,12 @@ def test_a_group_at_its_limit_is_named():
     assert "(eta) and the yaw inertia (rho)" in reason
 
 
+def test_an_estimate_outside_the_population_was_driven_there_however_wide_it_is():
+    assert code(ln_K_std=0.4, ln_K_away=0.1) == "not_excited"
+    assert code(ln_K_std=0.4, ln_K_away=1.4) == "outside_population"
+    assert code(ln_K_std=0.4, at_limit=("eta",)) == "outside_population"
+
+
 def test_a_slow_drive_is_told_from_a_straight_one():
     slow = np.where(np.arange(ROWS) < 80, STATUS["too_slow"], 0).astype(np.int32)
     _, crawled = judged(ln_K_std=0.48, status=slow)
@@ -141,10 +147,10 @@ def test_the_graver_fault_is_the_one_that_is_named():
     faults_and_cures = (
         ("bad_data", {"rejected": 0.0}),
         ("diverged", {"finite": True}),
-        ("not_excited", {"ln_K_std": 0.1}),
         ("outside_model", {"outside": beyond(0)}),
         ("outside_model", {"noise_scale": 1.0}),
         ("outside_population", {"ln_K_away": 0.0}),
+        ("not_excited", {"ln_K_std": 0.1}),
     )
     for fault, cure in faults_and_cures:
         assert code(**everything) == fault

@@ -98,7 +98,10 @@ def verdict(e: Evidence) -> tuple[str, str]:
     if not e.finite:
         return "diverged", "The estimate is not finite; please report this log."
     slow = float(np.mean(e.status == STATUS["too_slow"]))
-    if e.ln_K_std > PRIOR_SHARE * e.prior_std:
+    strange = _outside_the_population(
+        e
+    )  # no straight road drives an estimate there, however wide it is by now
+    if e.ln_K_std > PRIOR_SHARE * e.prior_std and not strange:
         return "not_excited", _not_excited(e, sd, slow)
     share = _outside_share(e)
     if share > OUTSIDE_SHARE:
@@ -111,9 +114,7 @@ def verdict(e: Evidence) -> tuple[str, str]:
             f"The yaw rate differs from every car of the population by {np.sqrt(e.noise_scale):.3g} times "
             "the sensor's noise; steer scale, units or a saturating tyre are the usual causes."
         )
-    if e.at_limit or not -POPULATION_SD * e.prior_std - ROAD_ROOM < e.ln_K_away < (
-        POPULATION_SD * e.prior_std
-    ):
+    if strange:
         return "outside_population", _outside_population(e)
     if e.ln_K_std <= IDENTIFIED_STD:
         return "identified", f"The drive shows the stiffness to ± {sd} (one sd)."
@@ -121,6 +122,11 @@ def verdict(e: Evidence) -> tuple[str, str]:
         f"The drive shows the stiffness to ± {sd} (one sd), which is not yet the 15 % that counts as "
         "identified; more steering or a measured steer angle would help."
     )
+
+
+def _outside_the_population(e: Evidence) -> bool:
+    room = POPULATION_SD * e.prior_std
+    return bool(e.at_limit) or not -room - ROAD_ROOM < e.ln_K_away < room
 
 
 def linear_doubts(e: Evidence) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ the residual is the innovation of the raw output. Recursive least squares in the
 
     normal <- forgetting normal + phi^2 + least,    K <- K + phi (y - phi K)/normal,
 
-is the textbook form with P = 1/normal, half as many operations; least keeps it off zero in a turn without end.
+is the textbook form with P = 1/normal in half as many operations; least keeps it off zero in an endless turn.
 
 Invariant: the history the regressor is read from moves on once a sample, after its last use.
 """
