@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.drives import CAR, NOISE, SMALL_CAR, Drive
+from similitude.estimators.paper_design import paper_config
 from similitude.filter_config import filter_config
 from similitude.population import Prior
 from similitude.program.compile import load_library

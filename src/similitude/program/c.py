@@ -99,7 +99,7 @@ def _scope(program: Program, mutable: set[str]) -> _Scope:
 
 
 def whole_variables(program: Program) -> frozenset[str]:
-    """Variables of a step that are nothing but flags and codes: set to whole constants and compared with them.
+    """Variables of a step that are nothing but flags and codes: set to whole constants and compared to such.
 
     They are printed as ``int``; the twin's floats take the same ways.
     """
