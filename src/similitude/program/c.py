@@ -47,14 +47,17 @@ typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
-# A sign bit cleared, without a library; where a compiler has no word for it, a choice.
+# |x| against a limit: a sign bit cleared where the compiler has a word for it, two comparisons elsewhere.
 _MAGNITUDE = """\
 #if defined(__GNUC__)
 #define MAGNITUDE(x) \\
     ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \\
                                                 : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
 #else
-#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
 #endif
 """
 
@@ -145,7 +148,7 @@ def print_c(program: Program) -> str:
     for kind in ("config", "state", "sample", "output"):
         parts.append(_struct(name, kind, getattr(program, kind)))
     bodies = [_init(program), _advance(program)]
-    if any("MAGNITUDE(" in body for body in bodies):
+    if any("WITHIN(" in body for body in bodies):
         parts.insert(1, _MAGNITUDE)
     parts += [*bodies, LOOPS.format(name=name)]
     return "\n".join(parts)
