@@ -17,7 +17,11 @@ def test_the_recursion_in_the_c_has_as_many():
     """The four lines as text: signs between spaces, stars and strokes."""
     source = Path(shipped("bicycle_paper").layout.__file__).with_suffix(".c").read_text()
     pattern = rf"(?:const bicycle_paper_real |state->)?(?:{'|'.join(RECURSION)}) = (.+);"
-    right = [found[1] for found in re.finditer(pattern, source) if re.search(r"phi|expected", found[1]) and "pi3_start" not in found[1]]
+    right = [
+        found[1]
+        for found in re.finditer(pattern, source)
+        if re.search(r"phi|expected", found[1]) and "pi3_start" not in found[1]
+    ]
     count = sum(len(re.findall(r"[*/]| [+-] ", text)) for text in right)
 
     assert len(right) == 4 and count == operations("bicycle_paper", RECURSION) == 9

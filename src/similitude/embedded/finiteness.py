@@ -1,6 +1,6 @@
 """A program for Frama-C Eva that shows that a step's numbers stay finite, and the bounds it rests on.
 
-One step is taken from any state within bounds, with any sample; afterwards every real of the state and the
+One step is taken from any state within bounds, with a sample of any numbers; afterwards every real of the state and the
 output must be finite, and every state whose bound Eva can carry must be within it again. The bounds of filter
 memories cannot be carried by intervals (a stable filter's box is no invariant): they are the l1 norms of the
 filter's impulse responses times the gates, which hold for every sequence that the gates let through.
@@ -22,7 +22,6 @@ from similitude.program.library import Library
 MARGIN = 2.0  # on l1 norms: rounding in the filter, and single precision's own of the bound
 DECAYED, QUIET = 1e-12, 8  # of an impulse response: below this share of its sum, that many samples in a row
 GROWN = 2.0**25  # increments after which a sum in single precision has stopped growing
-PROVED = ("paper", "band")
 FINITE = "finite.c"
 
 
@@ -104,9 +103,12 @@ def paper_bounds(library: Library, config: NDArray) -> Bounds:
         "weight": (0.0, 1.1 * kept),
         "information": (0.0, GROWN * 2.0 ** math.ceil(math.log2(gained) + 1)),
         f"last_{speed}": (slowest, fastest),
-        "wait": (0.0, n["settle_samples"] + 1),
+        "wait": (-0.5, n["settle_samples"] + 1),
     }
-    rests = {"mean_square", *(s for s in ranges if s[-2:] in ("_1", "_2") or s.endswith(("_1_change", "_2_change")))}
+    rests = {
+        "mean_square",
+        *(s for s in ranges if s[-2:] in ("_1", "_2") or s.endswith(("_1_change", "_2_change"))),
+    }
     return Bounds(ranges, frozenset(set(ranges) - rests))
 
 
@@ -124,16 +126,16 @@ _MAIN = """\
 /* One step of {name} from any state within its bounds, for Frama-C Eva (25.0):
  *
  *   frama-c -eva -eva-precision {precision} -warn-special-float non-finite -cpp-extra-args=-DSIMILITUDE_CONTRACT_OFF \\
- *           -cpp-extra-args=-DWITHIN {file} {name}.c
+ *           -cpp-extra-args=-DGATED {file} {name}.c
  *
  * shows that no operation overflows or has no result, whatever the sample within the gates; with
- * -warn-special-float none and without -DWITHIN that what comes out is finite, whatever the sample's bits. No
- * alarm is the proof. Bounds of filter memories are l1 norms of impulse responses times the gates, times {margin:g}. */
+ * -warn-special-float none and without -DGATED that what comes out is finite, whatever numbers the sample holds.
+ * No alarm and no assertion that is unknown is the proof. Bounds of filter memories are l1 norms of impulse responses times the gates, times {margin:g}. */
 
 #include <__fc_builtin.h>
 #include "{name}_config.h"
 
-volatile float any; /* NaN and infinity among it */
+#define ANY Frama_C_float_interval(-3.4028234e38f, 3.4028234e38f)
 
 int main(void)
 {{
@@ -142,7 +144,7 @@ int main(void)
     {name}_output output;
     {name}_init(&{name}_numbers, &state);
 {states}
-#if defined(WITHIN)
+#if defined(GATED)
 {within}
 #else
 {samples}
@@ -154,13 +156,13 @@ int main(void)
 """
 
 
-def finite_text(library: Library, config: NDArray, estimator: str, *, precision: int = 11) -> str:
+def finite_text(library: Library, config: NDArray, estimator: str, *, precision: int = 5) -> str:
     """The C program that Eva is given beside an exported estimator.
 
     Parameters
     ----------
     config : the flat configuration, of which the gates and filters are read.
-    estimator : ``paper`` or ``band``.
+    estimator : one of ``BOUNDS``.
     """
     bounds = BOUNDS[estimator](library, config)
     names = {"state": _elements(library, "state"), "output": _elements(library, "output")}
@@ -185,7 +187,7 @@ def finite_text(library: Library, config: NDArray, estimator: str, *, precision:
             f"    sample.{f} = Frama_C_float_interval({_number(low)}, {_number(high)});"
             for f, (low, high) in _gates(library, config).items()
         ),
-        samples="\n".join(f"    sample.{f} = any;" for f in library.names("sample")),
+        samples="\n".join(f"    sample.{f} = ANY;" for f in library.names("sample")),
         asserts="\n".join(asserts),
     )
 
@@ -214,4 +216,4 @@ def _number(value: float) -> str:
     return f"{float(value):.9g}" + ("" if "." in f"{value:.9g}" or "e" in f"{value:.9g}" else ".0") + "f"
 
 
-BOUNDS = {"paper": paper_bounds}
+BOUNDS = {"paper": paper_bounds}  # estimator -> bounds of its state

@@ -61,9 +61,7 @@ def gates(r: Regression) -> list[Statement]:
         AGAIN,
         set_status("no_measurement"),
     )
-    counted = When(
-        S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row"
-    )
+    counted = When(S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row")
     slow = (
         last_scale,
         Assign("waiting", sp.Max(S("waiting"), 1)),

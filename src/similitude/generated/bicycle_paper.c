@@ -152,10 +152,8 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict config,
-                                     bicycle_paper_state *restrict state,
-                                     const bicycle_paper_sample *restrict sample,
-                                     bicycle_paper_output *restrict output)
+SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, bicycle_paper_state *state,
+                                     const bicycle_paper_sample *sample, bicycle_paper_output *output)
 {
     bicycle_paper_real estimate = R(0.0);
     bicycle_paper_real gained = R(0.0);

@@ -267,11 +267,11 @@ def _init(program: Program) -> str:
 
 
 def _declared(name: str, scope: _Scope) -> str:
-    return f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+    return (
+        f"    int {name} = 0;" if name in scope.language.whole else f"    {scope.name}_real {name} = R(0.0);"
+    )
 
 
-# The structs are four objects, said to the compiler by restrict: it may read a number again instead of
-# keeping a copy on the stack.
 def _advance(program: Program) -> str:
     name = program.name
     written = names_written(program.step)
@@ -281,10 +281,8 @@ def _advance(program: Program) -> str:
     scope = _scope(program, states | outputs | working)
     lines = [
         "/* What the step and the batch loop do with one sample. */",
-        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *restrict config,",
-        f"                                     {name}_state *restrict state,",
-        f"                                     const {name}_sample *restrict sample,",
-        f"                                     {name}_output *restrict output)",
+        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
+        f"                                     const {name}_sample *sample, {name}_output *output)",
         "{",
         *_arrays(program.state, name),
         *[_declared(n, scope) for n in sorted((outputs | working) & written)],

@@ -33,7 +33,9 @@ class Language:
     whole: frozenset[str] = frozenset()  # symbols that are integers, and compared with constants alone
 
 
-C = Language("R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "WITHIN({x}, {limit})", "BEYOND({x}, {limit})")
+C = Language(
+    "R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "WITHIN({x}, {limit})", "BEYOND({x}, {limit})"
+)
 PYTHON = Language("{}", "({a} if {c} else {b})", " and ", " or ", "not ({})")
 
 
