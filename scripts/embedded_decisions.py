@@ -10,6 +10,7 @@ from any state it is handed. What is left is printed; nothing says that it canno
 
 from __future__ import annotations
 
+import argparse
 import ast
 import sys
 import types
@@ -118,11 +119,11 @@ def watched(text: str, name: str) -> tuple[Watch, types.ModuleType]:
     return watch, layout
 
 
-def singly(library: Library, config: np.ndarray, states: np.ndarray, rows: np.ndarray) -> None:
+def singly(library: Library, config: np.ndarray, states: np.ndarray, rows: np.ndarray, steps: int) -> None:
     """Single steps from states and configurations with a few numbers changed."""
     rng = np.random.default_rng(0)
     usual = rows[np.isfinite(rows).all(axis=1)]
-    for _ in range(SINGLE):
+    for _ in range(steps):
         row = usual[rng.integers(len(usual))][None]
         told, state = config.copy(), states[rng.integers(len(states))].copy()
         for values, most in ((told, 3), (state, 5)):
@@ -136,16 +137,25 @@ def singly(library: Library, config: np.ndarray, states: np.ndarray, rows: np.nd
 
 def main() -> int:
     """Run every estimator's watched twin and print what was shown; 1 where more is left than is known."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument(
+        "--quick", action="store_true", help="a tenth of the rough drive, half the single steps"
+    )
+    parser.add_argument("--only", help="one estimator, such as bicycle_paper")
+    asked = parser.parse_args()
+    samples, single = (SAMPLES // 10, SINGLE // 2) if asked.quick else (SAMPLES, SINGLE)
     more = False
     for system, estimators in SHIPPED.items():
         for estimator in estimators:
+            if asked.only not in (None, f"{system}_{estimator}"):
+                continue
             source = find_source(system, estimator)
             numbers = find_numbers(source, vehicle=None, sample_time=None)
             watch, layout = watched(source.twin, source.name)
             rows = [self_test_rows(source, source.library(), numbers.values, numbers.sample_time)]
             if estimator != "monitor":
                 even = estimator not in ("population", "small_population")
-                rows.append(rough_drive(SAMPLES, 0, even=even))
+                rows.append(rough_drive(samples, 0, even=even))
             library = Library(source.name, layout, None)
             with np.errstate(all="ignore"):
                 state = library.start(numbers.values)
@@ -154,7 +164,7 @@ def main() -> int:
                 for part in np.array_split(driven, PARTS):
                     library.run(numbers.values, state, part)
                     states.append(state.copy())
-                singly(library, numbers.values, np.array(states), driven)
+                singly(library, numbers.values, np.array(states), driven, single)
             conditions, missing = sum(map(len, watch.leaves)), watch.unshown()
             print(
                 f"{source.name}: {len(watch.trees)} decisions, {conditions} conditions, "

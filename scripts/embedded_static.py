@@ -6,7 +6,8 @@ Each check runs where its tool is present and says so in a line where it is not:
     MISRA         cppcheck --addon=misra: no rule but those of docs/embedded.md, "Deviations"
     sanitizers    address and undefined behaviour over a million random samples
     branches      gcov over the self-test and 300,000 random samples
-    Frama-C Eva   no alarm for any bits of a sample, for ever; and an alarm in a file made to have one
+    Frama-C Eva   no alarm for any bits of a sample, for ever; and an alarm in a file made to have one;
+                  numbers of `paper` that stay finite, and an alarm without its gate
 
     python scripts/embedded_static.py [--only ESTIMATOR] [--no-eva]
 """
@@ -21,9 +22,11 @@ import sys
 import tempfile
 from pathlib import Path
 
+from similitude.embedded.configuration import find_numbers
+from similitude.embedded.finiteness import BOUNDS, FINITE, finite_text
 from similitude.embedded.fixed_profile import FIXED
 from similitude.embedded.folder import export
-from similitude.embedded.system import SHIPPED
+from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.targets import CONTRACT_OFF, STRICT
 
 HERE = Path(__file__).parent
@@ -144,14 +147,10 @@ def eva(name: str, folder: Path) -> list[str]:
         return []
     alarms = _alarms(name, folder, f"{name}.c")
     text = (folder / f"{name}.c").read_text()
-    last = re.findall(r"(\w+)\[0\] = R\(0\.0\);", text)[0]
-    size = int(re.search(rf"\b{last}\[(\d+)\];", (folder / f"{name}.h").read_text()).group(1))
-    wrong = text.replace(f"{last}[0] = R(0.0);", f"{last}[{size + 400}] = R(0.0);", 1)
+    wrong = re.sub(r"\b(\w+(?:->\w+)?)\[1\]", r"\1[1001]", text, count=1)
     (folder / "wrong.c").write_text(wrong)
     control = _alarms(name, folder, "wrong.c")
-    print(
-        f"{name:30} Eva: {alarms} alarms for any samples; {control} in the control that writes past an array"
-    )
+    print(f"{name:30} Eva: {alarms} alarms for any samples; {control} in the control that goes past an array")
     faults = [f"{name}: {alarms} alarms"] if alarms != 0 else []
     return faults + ([f"{name}: the control raises no alarm"] if not control else [])
 
@@ -176,6 +175,38 @@ def _alarms(name: str, folder: Path, file: str) -> int:
     return int(found.group(1)) if found else -1
 
 
+def finite(name: str, folder: Path, system: str, estimator: str) -> list[str]:
+    """That every number of a step stays finite (`similitude.embedded.finiteness`), and a gate's worth."""
+    if estimator not in BOUNDS or shutil.which("frama-c") is None:
+        return []
+    source = find_source(system, estimator)
+    numbers = find_numbers(source, vehicle=None, sample_time=None)
+    (folder / FINITE).write_text(finite_text(source.library(), numbers.values, estimator))
+    text = (folder / f"{name}.c").read_text()
+    gate = "WITHIN(sample->input, config->input_limit)"
+    (folder / "ungated.c").write_text(text.replace(gate, "(sample->dt > R(0.0))"))
+    within = _finite_alarms(folder, f"{name}.c", "non-finite", "-cpp-extra-args=-DGATED")
+    anything = _finite_alarms(folder, f"{name}.c", "none")
+    control = _finite_alarms(folder, "ungated.c", "none")
+    print(
+        f"{name:30} Eva: {within} alarms or open assertions on finite numbers within the gates, {anything} for "
+        f"any numbers; {control} in the control without a gate"
+    )
+    faults = [f"{name}: {n} alarms on finite numbers" for n in (within, anything) if n != 0]
+    return faults + ([f"{name}: the control without a gate raises no alarm"] if control <= 0 else [])
+
+
+def _finite_alarms(folder: Path, file: str, special: str, *more: str) -> int:
+    flags = ["-eva", "-eva-precision", "5", "-warn-special-float", special, *more]
+    files = [str(folder / FINITE), str(folder / file)]
+    done = run(["frama-c", *flags, f"-cpp-extra-args=-D{CONTRACT_OFF}", *files], folder)
+    found = re.search(r"(\d+) alarms? generated", done.stdout)
+    left = re.search(r"Assertions +\d+ valid +(\d+) unknown +(\d+) invalid", done.stdout)
+    if found is None or left is None:
+        return -1
+    return int(found.group(1)) + int(left.group(1)) + int(left.group(2))
+
+
 def main() -> int:
     """Run what can be run; the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -195,7 +226,7 @@ def main() -> int:
                 if name not in ASLEEP:
                     faults += [*sanitizers(name, folder), *branches(name, folder)]
                 if name in EVA and not asked.no_eva:
-                    faults += eva(name, folder)
+                    faults += [*eva(name, folder), *finite(name, folder, system, estimator)]
         for estimator in FIXED:
             name = f"bicycle_{estimator}_fixed"
             if asked.only in (None, name):

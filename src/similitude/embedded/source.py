@@ -180,10 +180,13 @@ int {name}_restore(const {name}_config *config, {name}_state *state, const unsig
 
 
 _MAGNITUDE = """\
-#if defined(__GNUC__)
-#define MAGNITUDE(x) {builtin}(x) /* a sign bit cleared, no call */
+/* |x| against a limit: a sign bit cleared, no call. Frama-C is shown the comparisons, which it can follow. */
+#if defined(__GNUC__) && !defined(__FRAMAC__)
+#define WITHIN(x, limit) ({builtin}(x) < (limit))
+#define BEYOND(x, limit) ({builtin}(x) > (limit))
 #else
-#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
 #endif
 """
 
@@ -281,6 +284,6 @@ def print_sources(
 
 
 def _magnitude(bodies: str, real: str) -> str:
-    if "MAGNITUDE(" not in bodies:
+    if "WITHIN(" not in bodies:
         return ""
     return _MAGNITUDE.format(builtin="__builtin_fabsf" if real == "float" else "__builtin_fabs")

@@ -22,14 +22,14 @@ GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
 
-P_START, P_MOST = 1e9, 1e14  # of the textbook recursion, in dimensionless filtered outputs
+P_START, P_MOST = 1e9, 1e12  # of the textbook recursion, in dimensionless filtered outputs
 
 DESIGN = {
     "forgetting": 0.99995,  # paper, section 6
     "dead_zone": 0.1,  # rad/s, same place
     "pi3_start": 0.2,  # the paper is silent on this
-    "K_low": 1e-3,  # m^2/s^2, reported for a regression that says zero or less
-    "K_limit": 1e6,  # m^2/s^2
+    "K_low": 1e-2,  # m^2/s^2, reported for a regression that says zero or less
+    "K_limit": 1e5,  # m^2/s^2
     "variance_limit": 1.0,  # of ln K: a factor e either way is nothing known
     "U_least": 0.5,  # m/s
     "input_limit": 1.3,  # rad

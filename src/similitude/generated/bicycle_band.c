@@ -174,10 +174,8 @@ SIMILITUDE_API void bicycle_band_init(const bicycle_band_config *config, bicycle
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *restrict config,
-                                     bicycle_band_state *restrict state,
-                                     const bicycle_band_sample *restrict sample,
-                                     bicycle_band_output *restrict output)
+SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bicycle_band_state *state,
+                                     const bicycle_band_sample *sample, bicycle_band_output *output)
 {
     bicycle_band_real *const input_memory = state->input_memory;
     bicycle_band_real *const output_memory = state->output_memory;

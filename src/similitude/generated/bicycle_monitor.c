@@ -238,10 +238,8 @@ SIMILITUDE_API void bicycle_monitor_init(const bicycle_monitor_config *config, b
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *restrict config,
-                                     bicycle_monitor_state *restrict state,
-                                     const bicycle_monitor_sample *restrict sample,
-                                     bicycle_monitor_output *restrict output)
+SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *config, bicycle_monitor_state *state,
+                                     const bicycle_monitor_sample *sample, bicycle_monitor_output *output)
 {
     bicycle_monitor_real *const P = state->P;
     bicycle_monitor_real U_used = R(0.0);

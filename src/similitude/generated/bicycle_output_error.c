@@ -161,10 +161,8 @@ SIMILITUDE_API void bicycle_output_error_init(const bicycle_output_error_config 
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_config *restrict config,
-                                     bicycle_output_error_state *restrict state,
-                                     const bicycle_output_error_sample *restrict sample,
-                                     bicycle_output_error_output *restrict output)
+SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_config *config, bicycle_output_error_state *state,
+                                     const bicycle_output_error_sample *sample, bicycle_output_error_output *output)
 {
     int anew = 0;
     int edge = 0;

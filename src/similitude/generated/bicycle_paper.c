@@ -38,8 +38,11 @@ typedef SIMILITUDE_REAL bicycle_paper_real;
 #define MAGNITUDE(x) \
     ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \
                                                 : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
 #else
-#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
 #endif
 
 enum bicycle_paper_status {
@@ -149,10 +152,8 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict config,
-                                     bicycle_paper_state *restrict state,
-                                     const bicycle_paper_sample *restrict sample,
-                                     bicycle_paper_output *restrict output)
+SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, bicycle_paper_state *state,
+                                     const bicycle_paper_sample *sample, bicycle_paper_output *output)
 {
     bicycle_paper_real estimate = R(0.0);
     bicycle_paper_real gained = R(0.0);
@@ -183,7 +184,7 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
         }
     }
     if (status < 7) {
-        if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (waiting > config->settle_samples)) && (MAGNITUDE(sample->U) < config->signal_limit) && (MAGNITUDE(sample->input) < config->input_limit) && (MAGNITUDE(sample->measured) < config->output_limit)) {
+        if (((WITHIN(state->last_measured - sample->measured, config->output_jump)) || (waiting > config->settle_samples)) && (WITHIN(sample->U, config->signal_limit)) && (WITHIN(sample->input, config->input_limit)) && (WITHIN(sample->measured, config->output_limit))) {
             input_step = sample->input - state->last_input;
             state->last_input = sample->input;
             scale_now = sample->U;
@@ -197,12 +198,12 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
             output_step = R(0.0);
             scale_now = state->last_U;
             y_now = state->last_measured;
-            if ((MAGNITUDE(sample->U) < config->signal_limit) && (MAGNITUDE(sample->input) < config->input_limit)) { /* a missing input or scale is held */
+            if ((WITHIN(sample->U, config->signal_limit)) && (WITHIN(sample->input, config->input_limit))) { /* a missing input or scale is held */
                 input_step = sample->input - state->last_input;
                 state->last_input = sample->input;
                 scale_now = sample->U;
             }
-            if (((MAGNITUDE(state->last_measured - sample->measured) < config->output_jump) || (waiting > config->settle_samples)) && (MAGNITUDE(sample->measured) < config->output_limit)) { /* so is an output */
+            if (((WITHIN(state->last_measured - sample->measured, config->output_jump)) || (waiting > config->settle_samples)) && (WITHIN(sample->measured, config->output_limit))) { /* so is an output */
                 output_step = sample->measured - state->last_measured;
                 y_now = sample->measured;
             }
@@ -239,12 +240,12 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
         const bicycle_paper_real y = output_2_now - state->output_2_change; /* second difference, eq 24 */
         const bicycle_paper_real residual = y - expected;
         predicted = y_now - residual; /* the newest output has weight one in y */
-        if ((MAGNITUDE(y_now) > config->dead_zone) && (waiting < R(0.5))) { /* outside the dead zone, filters settled */
+        if ((BEYOND(y_now, config->dead_zone)) && (waiting < R(0.5))) { /* outside the dead zone, filters settled */
             innovation = residual;
             gained = (expected*expected);
             state->normal = config->normal_least + (phi*phi) + config->forgetting*state->normal;
             const bicycle_paper_real moved = state->theta + phi*residual/state->normal;
-            if (MAGNITUDE(moved) < config->K_limit) {
+            if (WITHIN(moved, config->K_limit)) {
                 state->theta = moved;
             } else {
                 state->theta = (moved > R(0.0) ? config->K_limit : (-config->K_limit));
@@ -252,7 +253,7 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *restrict
             state->weight = R(1.0) + config->forgetting*state->weight;
             state->mean_square = state->mean_square + ((residual*residual) - state->mean_square)/state->weight;
             status = 0;
-            if (MAGNITUDE(scale_now*y_now) > config->validity_limit) {
+            if (BEYOND(scale_now*y_now, config->validity_limit)) {
                 status = 2;
             }
         } else {

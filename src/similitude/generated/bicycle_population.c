@@ -273,10 +273,8 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config *restrict config,
-                                     bicycle_population_state *restrict state,
-                                     const bicycle_population_sample *restrict sample,
-                                     bicycle_population_output *restrict output)
+SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config *config, bicycle_population_state *state,
+                                     const bicycle_population_sample *sample, bicycle_population_output *output)
 {
     bicycle_population_real *const P = state->P;
     bicycle_population_real U_now = R(0.0);

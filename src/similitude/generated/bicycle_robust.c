@@ -205,10 +205,8 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *restrict config,
-                                     bicycle_robust_state *restrict state,
-                                     const bicycle_robust_sample *restrict sample,
-                                     bicycle_robust_output *restrict output)
+SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config, bicycle_robust_state *state,
+                                     const bicycle_robust_sample *sample, bicycle_robust_output *output)
 {
     bicycle_robust_real *const input_stage = state->input_stage;
     bicycle_robust_real *const output_stage = state->output_stage;

@@ -143,10 +143,8 @@ SIMILITUDE_API void bicycle_scalar_population_init(const bicycle_scalar_populati
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_scalar_population_advance(const bicycle_scalar_population_config *restrict config,
-                                     bicycle_scalar_population_state *restrict state,
-                                     const bicycle_scalar_population_sample *restrict sample,
-                                     bicycle_scalar_population_output *restrict output)
+SIMILITUDE_INLINE int bicycle_scalar_population_advance(const bicycle_scalar_population_config *config, bicycle_scalar_population_state *state,
+                                     const bicycle_scalar_population_sample *sample, bicycle_scalar_population_output *output)
 {
     int edge = 0;
     bicycle_scalar_population_real estimate = R(0.0);

@@ -232,10 +232,8 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_population_config *restrict config,
-                                     bicycle_small_population_state *restrict state,
-                                     const bicycle_small_population_sample *restrict sample,
-                                     bicycle_small_population_output *restrict output)
+SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_population_config *config, bicycle_small_population_state *state,
+                                     const bicycle_small_population_sample *sample, bicycle_small_population_output *output)
 {
     bicycle_small_population_real *const P = state->P;
     bicycle_small_population_real U_now = R(0.0);

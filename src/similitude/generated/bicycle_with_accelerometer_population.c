@@ -406,10 +406,8 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *restrict config,
-                                     bicycle_with_accelerometer_population_state *restrict state,
-                                     const bicycle_with_accelerometer_population_sample *restrict sample,
-                                     bicycle_with_accelerometer_population_output *restrict output)
+SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state,
+                                     const bicycle_with_accelerometer_population_sample *sample, bicycle_with_accelerometer_population_output *output)
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
     bicycle_with_accelerometer_population_real U_now = R(0.0);

@@ -295,10 +295,8 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
 }
 
 /* What the step and the batch loop do with one sample. */
-SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *restrict config,
-                                     saturating_bicycle_population_state *restrict state,
-                                     const saturating_bicycle_population_sample *restrict sample,
-                                     saturating_bicycle_population_output *restrict output)
+SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state,
+                                     const saturating_bicycle_population_sample *sample, saturating_bicycle_population_output *output)
 {
     saturating_bicycle_population_real *const P = state->P;
     saturating_bicycle_population_real U_now = R(0.0);

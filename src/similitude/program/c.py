@@ -47,14 +47,17 @@ typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
-# A sign bit cleared, without a library; where a compiler has no word for it, a choice.
+# |x| against a limit: a sign bit cleared where the compiler has a word for it, two comparisons elsewhere.
 _MAGNITUDE = """\
 #if defined(__GNUC__)
 #define MAGNITUDE(x) \\
     ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \\
                                                 : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
 #else
-#define MAGNITUDE(x) (((x) < R(0.0)) ? (-(x)) : (x))
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
 #endif
 """
 
@@ -145,7 +148,7 @@ def print_c(program: Program) -> str:
     for kind in ("config", "state", "sample", "output"):
         parts.append(_struct(name, kind, getattr(program, kind)))
     bodies = [_init(program), _advance(program)]
-    if any("MAGNITUDE(" in body for body in bodies):
+    if any("WITHIN(" in body for body in bodies):
         parts.insert(1, _MAGNITUDE)
     parts += [*bodies, LOOPS.format(name=name)]
     return "\n".join(parts)
@@ -269,8 +272,6 @@ def _declared(name: str, scope: _Scope) -> str:
     )
 
 
-# The structs are four objects, said to the compiler by restrict: it may read a number again instead of
-# keeping a copy on the stack.
 def _advance(program: Program) -> str:
     name = program.name
     written = names_written(program.step)
@@ -280,10 +281,8 @@ def _advance(program: Program) -> str:
     scope = _scope(program, states | outputs | working)
     lines = [
         "/* What the step and the batch loop do with one sample. */",
-        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *restrict config,",
-        f"                                     {name}_state *restrict state,",
-        f"                                     const {name}_sample *restrict sample,",
-        f"                                     {name}_output *restrict output)",
+        f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
+        f"                                     const {name}_sample *sample, {name}_output *output)",
         "{",
         *_arrays(program.state, name),
         *[_declared(n, scope) for n in sorted((outputs | working) & written)],

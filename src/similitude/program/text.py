@@ -1,8 +1,8 @@
 """Prints one expression the same way for C and for Python, so that both round alike.
 
 Invariant: both languages evaluate the printed text left to right with the same brackets; powers
-are products, there is no function call (a magnitude is the sign bit cleared), and a select is the only
-branch inside an expression.
+are products, there is no function call (a magnitude, only ever compared, is a sign bit cleared), and a select
+is the only branch inside an expression.
 """
 
 from __future__ import annotations
@@ -27,12 +27,15 @@ class Language:
     conjunction: str
     disjunction: str
     negation: str
-    magnitude: str = "abs({})"
+    within: str = "abs({x}) < {limit}"  # a magnitude against a limit that is not negative
+    beyond: str = "abs({x}) > {limit}"
     names: Mapping[str, str] = field(default_factory=dict)  # symbols that are written otherwise
     whole: frozenset[str] = frozenset()  # symbols that are integers, and compared with constants alone
 
 
-C = Language("R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "MAGNITUDE({})")
+C = Language(
+    "R({})", "({c} ? {a} : {b})", " && ", " || ", "!({})", "WITHIN({x}, {limit})", "BEYOND({x}, {limit})"
+)
 PYTHON = Language("{}", "({a} if {c} else {b})", " and ", " or ", "not ({})")
 
 
@@ -60,7 +63,6 @@ class _Printer:
             (sp.Pow, self._pow),
             (sp.Max, self._extreme),
             (sp.Min, self._extreme),
-            (sp.Abs, self._magnitude),
             (sp.core.relational.Relational, self._relation),
             (sp.And, self._and),
             (sp.Or, self._or),
@@ -150,13 +152,13 @@ class _Printer:
             text = self.language.select.format(c=f"({text}) {sign} ({other})", a=text, b=other)
         return text
 
-    def _magnitude(self, node: sp.Abs) -> str:
-        return self.language.magnitude.format(self.text(node.args[0]))
-
     def _relation(self, node: sp.core.relational.Relational) -> str:
         if isinstance(node.lhs, sp.Symbol) and node.lhs.name in self.language.whole:
             bound = sp.ceiling(node.rhs) if node.rel_op in ("<", ">=") else sp.floor(node.rhs)
             return f"{self._symbol(node.lhs)} {node.rel_op} {int(bound)}"
+        if isinstance(node.lhs, sp.Abs) and node.rel_op in "<>":
+            form = self.language.within if node.rel_op == "<" else self.language.beyond
+            return form.format(x=self.text(node.lhs.args[0]), limit=self.text(node.rhs))
         return f"{self._bracket(node.lhs)} {node.rel_op} {self._bracket(node.rhs)}"
 
     def _and(self, node: sp.And) -> str:
@@ -189,4 +191,4 @@ def count_operations(text: str) -> int:
     """Arithmetic operations, comparisons and selects in a printed C expression."""
     body = re.sub(r"R\([^)]*\)", "1", text)  # a literal's exponent sign is no operation
     unary = len(re.findall(r"\(-", body))
-    return len(re.findall(r"[-+*/?<>]", body)) - unary
+    return len(re.findall(r"[-+*/?<>]|WITHIN|BEYOND", body)) - unary
