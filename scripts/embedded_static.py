@@ -189,8 +189,8 @@ def finite(name: str, folder: Path, system: str, estimator: str) -> list[str]:
     anything = _finite_alarms(folder, f"{name}.c", "none")
     control = _finite_alarms(folder, "ungated.c", "none")
     print(
-        f"{name:30} Eva: {within} alarms or open assertions on finite numbers within the gates, {anything} for "
-        f"any numbers; {control} in the control without a gate"
+        f"{name:30} Eva: {within} alarms or open assertions on finite numbers within the gates, {anything} "
+        f"for any numbers; {control} in the control without a gate"
     )
     faults = [f"{name}: {n} alarms on finite numbers" for n in (within, anything) if n != 0]
     return faults + ([f"{name}: the control without a gate raises no alarm"] if control <= 0 else [])

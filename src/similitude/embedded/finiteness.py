@@ -1,9 +1,9 @@
 """A program for Frama-C Eva that shows that a step's numbers stay finite, and the bounds it rests on.
 
-One step is taken from any state within bounds, with a sample of any numbers; afterwards every real of the state
-and the output must be finite, and every state whose bound Eva can carry must be within it again. The bounds of
-filter memories cannot be carried by intervals (a stable filter's box is no invariant): they are the l1 norms of
-the filter's impulse responses times the gates, which hold for every sequence that the gates let through.
+One step is taken from any state within bounds, with a sample of any numbers; afterwards every real of state
+and output must be finite, and every state whose bound Eva can carry must be within it again. The bounds of
+filter memories cannot be carried by intervals (a stable filter's box is no invariant): they are the l1 norms
+of the filter's impulse responses times the gates, which hold for every sequence that the gates let through.
 
 Invariant: bounds are computed from the numbers that are exported, none is written by hand.
 """
