@@ -32,10 +32,10 @@ DESIGN = {
     "structure_time": 0.3,  # s ... and stays wrong the same way this long
     "activity_rate": 1 / 0.3,  # 1/s
     "disturbance_floor": 1e-3,  # rad: crosswind and camber
-    "disturbance_share": 0.02,  # of the response
+    "disturbance_share": 0.004,  # of the response; with more a car that steers much is taken to be pushed much
     "disturbance_rate": 1 / 1.2,  # 1/s: a gust, a crown, a rut
     "disturbance_adapt": 1 / 5.0,  # 1/s
-    "disturbance_scale_start": 0.02,  # small until innovations ask for more: it grows in a second
+    "disturbance_scale_start": 1.0,  # less takes a gust of the first seconds for the car, for good
     "disturbance_scale_low": 0.002,
     "disturbance_scale_high": 25.0,
     "noise_adapt": 1 / 20.0,  # 1/s
