@@ -28,11 +28,12 @@ DESIGN = {
     "bias_drift": 1e-10,  # (rad/s)^2/s
     "timing_error": 0.010,  # s: steer and gyro are sampled by different clocks
     "companion_rate": 1.0,  # 1/s: slow against the gyro's noise, fast enough for an unstable car
+    "offset_rate": 1 / 5.0,  # 1/s: an offset taken for steering teaches wrong; a faster one is noisy
     "structure_share": 0.01,  # the linear model is wrong by 1 % of the response ...
     "structure_time": 0.3,  # s ... and stays wrong the same way this long
     "activity_rate": 1 / 0.3,  # 1/s
     "disturbance_floor": 1e-3,  # rad: crosswind and camber
-    "disturbance_share": 0.004,  # of the response; with more a car that steers much is taken to be pushed much
+    "disturbance_share": 0.004,  # of the response; more, and whoever steers much is taken to be pushed
     "disturbance_rate": 1 / 1.2,  # 1/s: a gust, a crown, a rut
     "disturbance_adapt": 1 / 5.0,  # 1/s
     "disturbance_scale_start": 1.0,  # less takes a gust of the first seconds for the car, for good

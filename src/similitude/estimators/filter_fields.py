@@ -22,6 +22,7 @@ from similitude.program.symmetric import Symmetric
 from similitude.reduction import Reduction
 
 DISTURBANCE, OFFSET, BIAS = "disturbance", "input_offset", "output_bias"
+PLAIN_OFFSET = "input_offset_plain"
 INPUT_SCALE = "input_scale"
 
 
@@ -55,6 +56,11 @@ class Layout:
     def companion(self) -> tuple[str, ...]:
         """The same states along the input alone, where sensitivities are taken."""
         return tuple(f"{name}_plain" for name in self.fast) if self.followed else ()
+
+    @property
+    def leans_on_offset(self) -> bool:
+        """Whether the companion is driven with an offset of its own."""
+        return self.followed and OFFSET in self.errors
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -179,6 +185,10 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
             layout.followed,
             Field("companion_rate", "1/s", "rate at which the uncorrected states follow the estimate"),
         ),
+        *_if(
+            layout.leans_on_offset,
+            Field("offset_rate", "1/s", "rate at which the uncorrected states' offset follows the estimate"),
+        ),
         Field("structure_share", "-", "structural error as a share of the output's activity"),
         Field("structure_time", "s", "correlation time of the structural error"),
         Field("activity_rate", "1/s", "averaging rate of the output's activity"),
@@ -271,6 +281,10 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
     return (
         *(Field(name, "-", "dimensionless state") for name in layout.fast),
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
+        *_if(
+            layout.leans_on_offset,
+            Field(PLAIN_OFFSET, i.unit, "its offset: the estimated one, followed slowly"),
+        ),
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
         *_error_states(layout),

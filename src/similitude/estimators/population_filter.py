@@ -18,7 +18,14 @@ import sympy as sp
 from similitude.errors import ProgramError
 from similitude.estimators import filter_covariance as cov
 from similitude.estimators import filter_fields as ff
-from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
+from similitude.estimators.filter_fields import (
+    BIAS,
+    DISTURBANCE,
+    INPUT_SCALE,
+    OFFSET,
+    PLAIN_OFFSET,
+    Layout,
+)
 from similitude.estimators.further_fields import further_variable
 from similitude.estimators.further_output import further_updates
 from similitude.program.ir import Assign, Field, Program, Statement, When
@@ -152,6 +159,8 @@ def _init(layout: Layout) -> list[Statement]:
     names += [f"last_{q.name}" for q in layout.signals]
     names += [f"{q.name}_{part}" for q in layout.further for part in ("bias", "activity")]
     lines += [Assign(f"{q.name}_noise_scale", sp.Integer(1)) for q in layout.further]
+    if layout.leans_on_offset:
+        names.append(PLAIN_OFFSET)
     if layout.warming:
         lines.append(Assign("heat", S("heat_start")))
     lines.append(
@@ -298,10 +307,10 @@ def _dynamics(layout: Layout) -> list[Statement]:
     lines.append(Assign("steer", scale * (S("last_input") + S("u_now")) / 2, "mean of the sample's two ends"))
     if layout.fine:
         lines.append(Assign("steer_change", scale * (S("u_now") - S("last_input"))))
-    plain = S("steer")  # an estimated offset holds the noise it came from
+    plain = S("steer") + (S(PLAIN_OFFSET) if layout.leans_on_offset else 0)
     unit = layout.inverted(1 / groups.scale[layout.input.name])
-    lines.append(Assign("u_plain", plain * unit, "measured input alone [-]"))
-    lines.append(Assign("u", S("u_plain") + (offset + S(DISTURBANCE)) * unit, "effective input [-]"))
+    lines.append(Assign("u_plain", plain * unit, "measured input less its offset [-]"))
+    lines.append(Assign("u", (S("steer") + offset + S(DISTURBANCE)) * unit, "effective input [-]"))
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
     replace = {**states, layout.input.symbol: S("u")}
     rates = [layout.inverted(reduction.rates[q.name].xreplace(replace)) for q in groups.model.states]
@@ -316,6 +325,13 @@ def _dynamics(layout: Layout) -> list[Statement]:
     lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
     if layout.companion:
         lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
+    if layout.leans_on_offset:
+        lines.append(
+            Assign(
+                PLAIN_OFFSET,
+                S(PLAIN_OFFSET) + sp.Min(1, S("dt") * S("offset_rate")) * (offset - S(PLAIN_OFFSET)),
+            )
+        )
     for i, name in enumerate(layout.fast if layout.companion else ()):
         own = step.companion_after[i]
         lines.append(Assign(f"{name}_plain", own + S("follow") * (S(name) - own)))

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1204 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 85 reals, configuration 70 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1212 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 86 reals, configuration 71 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -74,6 +74,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real bias_drift;              /* [(rad/s)^2/s] random walk of the output bias */
     bicycle_population_real timing_error;            /* [s] timing error between input and output */
     bicycle_population_real companion_rate;          /* [1/s] rate at which the uncorrected states follow the estimate */
+    bicycle_population_real offset_rate;             /* [1/s] rate at which the uncorrected states' offset follows the estimate */
     bicycle_population_real structure_share;         /* [-] structural error as a share of the output's activity */
     bicycle_population_real structure_time;          /* [s] correlation time of the structural error */
     bicycle_population_real activity_rate;           /* [1/s] averaging rate of the output's activity */
@@ -113,6 +114,7 @@ typedef struct bicycle_population_state {
     bicycle_population_real r_star;                  /* [-] dimensionless state */
     bicycle_population_real v_star_plain;            /* [-] the same, not corrected by measurements */
     bicycle_population_real r_star_plain;            /* [-] the same, not corrected by measurements */
+    bicycle_population_real input_offset_plain;      /* [rad] its offset: the estimated one, followed slowly */
     bicycle_population_real disturbance;             /* [rad] disturbance as an equivalent delta */
     bicycle_population_real K;                       /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
     bicycle_population_real pi1;                     /* [-] a/L, position of the centre of gravity */
@@ -270,6 +272,7 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->age = R(0.0);
     state->started = R(0.0);
     state->last_U = R(0.0);
+    state->input_offset_plain = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -405,8 +408,8 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         state->r_star_plain = state->r_star_plain*ratio_r_star;
         const bicycle_population_real steer = R(0.5)*state->input_scale*(state->last_input + u_now); /* mean of the sample's two ends */
         const bicycle_population_real steer_change = state->input_scale*(u_now - state->last_input);
-        const bicycle_population_real u_plain = steer; /* measured input alone [-] */
-        const bicycle_population_real u = state->disturbance + state->input_offset + u_plain; /* effective input [-] */
+        const bicycle_population_real u_plain = state->input_offset_plain + steer; /* measured input less its offset [-] */
+        const bicycle_population_real u = state->disturbance + state->input_offset + steer; /* effective input [-] */
         const bicycle_population_real inv0 = (R(1.0)/state->rho);
         const bicycle_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
         const bicycle_population_real c0 = (-state->r_star);
@@ -602,6 +605,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
         const bicycle_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
+        state->input_offset_plain = state->input_offset_plain + (state->input_offset - state->input_offset_plain)*((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
         state->v_star_plain = d_v_star_plain + state->v_star_plain + follow*(state->v_star - d_v_star_plain - state->v_star_plain);
         state->r_star_plain = d_r_star_plain + state->r_star_plain + follow*(state->r_star - d_r_star_plain - state->r_star_plain);
         const bicycle_population_real response = output_scale*state->r_star; /* output of the model */

@@ -344,8 +344,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
         state->r_star = state->r_star*ratio_r_star;
         const bicycle_small_population_real steer = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_small_population_real u_plain = steer; /* measured input alone [-] */
-        const bicycle_small_population_real u = state->disturbance + u_plain; /* effective input [-] */
+        const bicycle_small_population_real u = state->disturbance + steer; /* effective input [-] */
         const bicycle_small_population_real inv0 = (R(1.0)/state->rho);
         const bicycle_small_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
         const bicycle_small_population_real c0 = (-state->r_star);

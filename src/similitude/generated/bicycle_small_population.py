@@ -438,8 +438,7 @@ def step(config, state, sample):
         ratio_r_star = inv_U*was_U  # same physical state in the new scales
         r_star = r_star*ratio_r_star
         steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
-        u_plain = steer  # measured input alone [-]
-        u = disturbance + u_plain  # effective input [-]
+        u = disturbance + steer  # effective input [-]
         inv0 = (1.0/rho)
         inv1 = (1.0/(pi1 - 1.0))
         c0 = (-r_star)

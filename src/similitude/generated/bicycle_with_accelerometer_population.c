@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3117 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
+ * Operations: step 3125 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 158 reals, configuration 119 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -86,6 +86,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real bias_drift; /* [(rad/s)^2/s] random walk of the output bias */
     bicycle_with_accelerometer_population_real timing_error; /* [s] timing error between input and output */
     bicycle_with_accelerometer_population_real companion_rate; /* [1/s] rate at which the uncorrected states follow the estimate */
+    bicycle_with_accelerometer_population_real offset_rate; /* [1/s] rate at which the uncorrected states' offset follows the estimate */
     bicycle_with_accelerometer_population_real structure_share; /* [-] structural error as a share of the output's activity */
     bicycle_with_accelerometer_population_real structure_time; /* [s] correlation time of the structural error */
     bicycle_with_accelerometer_population_real activity_rate; /* [1/s] averaging rate of the output's activity */
@@ -135,6 +136,7 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real r_star; /* [-] dimensionless state */
     bicycle_with_accelerometer_population_real v_star_plain; /* [-] the same, not corrected by measurements */
     bicycle_with_accelerometer_population_real r_star_plain; /* [-] the same, not corrected by measurements */
+    bicycle_with_accelerometer_population_real input_offset_plain; /* [rad] its offset: the estimated one, followed slowly */
     bicycle_with_accelerometer_population_real disturbance; /* [rad] disturbance as an equivalent delta */
     bicycle_with_accelerometer_population_real K;    /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
     bicycle_with_accelerometer_population_real pi1;  /* [-] a/L, position of the centre of gravity */
@@ -403,6 +405,7 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->last_U = R(0.0);
     state->ay_bias = R(0.0);
     state->ay_activity = R(0.0);
+    state->input_offset_plain = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -558,8 +561,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         state->r_star_plain = state->r_star_plain*ratio_r_star;
         const bicycle_with_accelerometer_population_real steer = R(0.5)*state->input_scale*(state->last_input + u_now); /* mean of the sample's two ends */
         const bicycle_with_accelerometer_population_real steer_change = state->input_scale*(u_now - state->last_input);
-        const bicycle_with_accelerometer_population_real u_plain = steer; /* measured input alone [-] */
-        const bicycle_with_accelerometer_population_real u = state->disturbance + state->input_offset + u_plain; /* effective input [-] */
+        const bicycle_with_accelerometer_population_real u_plain = state->input_offset_plain + steer; /* measured input less its offset [-] */
+        const bicycle_with_accelerometer_population_real u = state->disturbance + state->input_offset + steer; /* effective input [-] */
         const bicycle_with_accelerometer_population_real inv0 = (R(1.0)/state->grip);
         const bicycle_with_accelerometer_population_real inv1 = (R(1.0)/state->rho);
         const bicycle_with_accelerometer_population_real inv2 = (R(1.0)/(state->pi1 - R(1.0)));
@@ -873,6 +876,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
         const bicycle_with_accelerometer_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
+        state->input_offset_plain = state->input_offset_plain + (state->input_offset - state->input_offset_plain)*((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
         state->v_star_plain = d_v_star_plain + state->v_star_plain + follow*(state->v_star - d_v_star_plain - state->v_star_plain);
         state->r_star_plain = d_r_star_plain + state->r_star_plain + follow*(state->r_star - d_r_star_plain - state->r_star_plain);
         const bicycle_with_accelerometer_population_real response = output_scale*state->r_star; /* output of the model */

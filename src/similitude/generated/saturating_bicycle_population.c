@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1470 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1478 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 98 reals, configuration 79 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -77,6 +77,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real bias_drift;   /* [(rad/s)^2/s] random walk of the output bias */
     saturating_bicycle_population_real timing_error; /* [s] timing error between input and output */
     saturating_bicycle_population_real companion_rate; /* [1/s] rate at which the uncorrected states follow the estimate */
+    saturating_bicycle_population_real offset_rate;  /* [1/s] rate at which the uncorrected states' offset follows the estimate */
     saturating_bicycle_population_real structure_share; /* [-] structural error as a share of the output's activity */
     saturating_bicycle_population_real structure_time; /* [s] correlation time of the structural error */
     saturating_bicycle_population_real activity_rate; /* [1/s] averaging rate of the output's activity */
@@ -116,6 +117,7 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real r_star;       /* [-] dimensionless state */
     saturating_bicycle_population_real v_star_plain; /* [-] the same, not corrected by measurements */
     saturating_bicycle_population_real r_star_plain; /* [-] the same, not corrected by measurements */
+    saturating_bicycle_population_real input_offset_plain; /* [rad] its offset: the estimated one, followed slowly */
     saturating_bicycle_population_real disturbance;  /* [rad] disturbance as an equivalent delta */
     saturating_bicycle_population_real K;            /* [m^2/s^2] Caf L/m, front cornering stiffness per mass and length */
     saturating_bicycle_population_real pi1;          /* [-] a/L, position of the centre of gravity */
@@ -292,6 +294,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->age = R(0.0);
     state->started = R(0.0);
     state->last_U = R(0.0);
+    state->input_offset_plain = R(0.0);
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -431,8 +434,8 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         state->r_star_plain = state->r_star_plain*ratio_r_star;
         const saturating_bicycle_population_real steer = R(0.5)*state->input_scale*(state->last_input + u_now); /* mean of the sample's two ends */
         const saturating_bicycle_population_real steer_change = state->input_scale*(u_now - state->last_input);
-        const saturating_bicycle_population_real u_plain = steer; /* measured input alone [-] */
-        const saturating_bicycle_population_real u = state->disturbance + state->input_offset + u_plain; /* effective input [-] */
+        const saturating_bicycle_population_real u_plain = state->input_offset_plain + steer; /* measured input less its offset [-] */
+        const saturating_bicycle_population_real u = state->disturbance + state->input_offset + steer; /* effective input [-] */
         const saturating_bicycle_population_real inv0 = (R(1.0)/state->grip);
         const saturating_bicycle_population_real inv1 = (R(1.0)/state->rho);
         const saturating_bicycle_population_real inv2 = (R(1.0)/(state->pi1 - R(1.0)));
@@ -675,6 +678,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
         const saturating_bicycle_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
+        state->input_offset_plain = state->input_offset_plain + (state->input_offset - state->input_offset_plain)*((R(1.0)) < (sample->dt*config->offset_rate) ? R(1.0) : sample->dt*config->offset_rate);
         state->v_star_plain = d_v_star_plain + state->v_star_plain + follow*(state->v_star - d_v_star_plain - state->v_star_plain);
         state->r_star_plain = d_r_star_plain + state->r_star_plain + follow*(state->r_star - d_r_star_plain - state->r_star_plain);
         const saturating_bicycle_population_real response = output_scale*state->r_star; /* output of the model */
