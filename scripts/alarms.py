@@ -20,7 +20,7 @@ from similitude.monitor_config import RISE_MORE, THRESHOLD
 
 SEED = 80_000
 CARS = 36  # of each kind and installation, ten minutes each: 48 h
-THRESHOLDS = (7.0, 8.0, 9.0, 10.0, THRESHOLD, 12.0)
+THRESHOLDS = (6.5, 7.5, 8.5, THRESHOLD, 10.5)
 SIZES = (0.5, 0.6, 0.7, 0.3, 1.5, 2.0)
 LATERAL = (0.2, 0.4, 0.8, 1.2)  # m/s^2 rms
 

@@ -25,6 +25,8 @@ DESIGN = {
     "gust_output": 0.011,  # rad/s: 0.6 deg/s within a half-wave is more than a gust does
     "size_least": 0.3,  # ln: less than 26 % is not looked for
     "size_most": 1.2,  # ln: a factor of 3.3
+    "size_large": 0.6,  # ln: 45 %
+    "small_price": 20.0,  # nine in ten false alarms tell less than that
     "size_guess": 0.45,
     "size_weight": 20.0,  # the guess is worth an sd of 0.22
     "outlier_ratio": 9.0,  # three sd
@@ -34,7 +36,7 @@ DESIGN = {
     "rough_share": 0.2,
     "score_rate": 1.0,  # 1/s
     "distrust_rate": 1 / 60.0,  # 1/s
-    "distrust_share": 0.8,
+    "distrust_share": 0.3,
     "reference_rate": 1 / 15.0,  # 1/s: slow against an alarm, fast against tyres that warm up
     "known_least": 500.0,  # sd of 4 %, the other unknowns given
     "variance_most": 0.20**2,  # a little more than the verdict "identified" allows
@@ -49,7 +51,7 @@ DESIGN = {
     "validity_limit": 4.0,  # m/s^2: a saturating tyre looks like a softer one
     "validity_rate": 1.0,  # 1/s
 }
-THRESHOLD = 11.0
+THRESHOLD = 9.5
 BETWEEN_FALSE_ALARMS = 8.0  # h, with that threshold: six in 48 h, at least 4.1 h with 95 %
 MEASURED = (
     (7.0, 1.23),

@@ -67,7 +67,7 @@ def settled():
     config = config_of(WITH)
     state = WITH.start(config)
     WITH.run(config, state, rows[:1100])
-    for name in ("disturbance", "input_offset", "bank", "push"):
+    for name in ("disturbance", "input_offset", "input_offset_plain", "bank", "push"):
         state[WITH.index("state", name)] = 0.0
     for name in ("v_star", "r_star"):  # sensitivities are taken along the companion: let it be the state
         state[WITH.index("state", f"{name}_plain")] = get(WITH, state, name)

@@ -15,7 +15,7 @@ import sympy as sp
 from similitude.errors import ProgramError
 from similitude.estimators import monitor_fields as mf
 from similitude.estimators.filter_fields import Layout
-from similitude.estimators.monitor_evidence import armed, begin_anew, dt, hears, judge, share, sizes
+from similitude.estimators.monitor_evidence import armed, begin_anew, dt, hears, judge, share, sizes, told
 from similitude.estimators.monitor_track import KINDS, S, Tracks
 from similitude.estimators.population_filter import LEAST_SHARE, LEAST_STEP, LONGEST_STEP
 from similitude.program.ir import Assign, Field, Program, Statement, When
@@ -86,7 +86,7 @@ def _init(layout: Layout) -> list[Statement]:
 
 
 def _step(layout: Layout, tracks: Tracks) -> list[Statement]:
-    told = ("alarm", "onset_age", "change", "change_variance")
+    ringing = ("alarm", "onset_age", "change", "change_variance")
     usable_time = sp.And(dt > LEAST_STEP, dt < LONGEST_STEP)
     bad = (Assign("status", sp.Integer(STATUS["bad_sample"])),)
     measured = When(S("usable") > HALF, tuple(judge(layout, tracks)), (), "measurement")
@@ -104,10 +104,10 @@ def _step(layout: Layout, tracks: Tracks) -> list[Statement]:
     )
     return [
         Assign("status", sp.Integer(STATUS["ok"])),
-        *(Assign(name, sp.Integer(0)) for name in told),
+        *(Assign(name, sp.Integer(0)) for name in ringing),
         When(usable_time, work, bad, "time must advance"),
         Assign("reference", S(f"{layout.target}_held")),
-        *(Assign(f"evidence_of_{k}", S(f"evidence_{k}")) for k in KINDS),
+        *(Assign(f"evidence_of_{k}", told(k)) for k in KINDS),
         Assign("armed", sp.Piecewise((1, sp.And(armed(), hears())), (0, True))),
         Assign("information_rate", S("hearing")),
     ]

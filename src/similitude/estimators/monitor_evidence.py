@@ -169,6 +169,13 @@ def _gather(tracks: Tracks, k: str) -> list[Statement]:
     ]
 
 
+def told(k: str) -> sp.Expr:
+    """Evidence for a kind of change, less what its smallness costs."""
+    # most of what rings for nothing is small
+    size = S(f"size_{k}") * (-1 if k == KINDS[0] else 1)
+    return S(f"evidence_{k}") - S("small_price") * sp.Max(0, S("size_large") - size)
+
+
 def _ring(k: str, code: int) -> list[Statement]:
     explained = S(f"rough_{k}") < S("rough_free") + S("rough_share") * S("rough_same")
     tell = (
@@ -177,4 +184,4 @@ def _ring(k: str, code: int) -> list[Statement]:
         Assign("change", S(f"size_{k}")),
         Assign("change_variance", S("doubt") / (S(f"weight_sum_{k}") + S("size_weight"))),
     )
-    return [When(sp.And(S(f"evidence_{k}") > S(f"threshold_{k}"), explained), tell, (), f"a {k}")]
+    return [When(sp.And(told(k) > S(f"threshold_{k}"), explained), tell, (), f"a {k}")]

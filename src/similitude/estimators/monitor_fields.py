@@ -33,6 +33,8 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("gust_output", o.unit, f"{o.meaning} that no gust reaches"),
         Field("size_least", "-", f"least change of ln {t} that is looked for"),
         Field("size_most", "-", f"greatest change of ln {t} that is looked for"),
+        Field("size_large", "-", f"change of ln {t} that needs no more evidence than the threshold"),
+        Field("small_price", "-", "further evidence a smaller one needs, for each unit of the difference"),
         Field("size_guess", "-", f"change of ln {t} supposed at first"),
         Field("size_weight", "-", "information the first guess is worth"),
         Field("outlier_ratio", "-", "squared innovation over its variance beyond which it is bounded"),
@@ -115,7 +117,10 @@ def output_fields(layout: Layout) -> tuple[Field, ...]:
         Field("change", "-", f"change of ln {u.name}"),
         Field("change_variance", "-", "its variance"),
         Field("reference", u.unit, f"what {u.name} was before, as the monitor follows it"),
-        *(Field(f"evidence_of_{k}", "-", f"log likelihood of a {k}") for k in KINDS),
+        *(
+            Field(f"evidence_of_{k}", "-", f"log likelihood of a {k}, less what its smallness costs")
+            for k in KINDS
+        ),
         Field("armed", "-", "1 where a change would be found now"),
         Field("information_rate", "1/s", f"information about ln {u.name} a second, the others given"),
     )

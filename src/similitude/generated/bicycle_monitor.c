@@ -4,8 +4,8 @@
  *   base: m, L, U
  *   follows: K; held: K, pi1, eta, rho
  *
- * Operations: step 1172 at most, 6 at least (arithmetic, comparisons, selects), init 0.
- * Memory: state 59 reals, configuration 39 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1196 at most, 18 at least (arithmetic, comparisons, selects), init 0.
+ * Memory: state 59 reals, configuration 41 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -60,6 +60,8 @@ typedef struct bicycle_monitor_config {
     bicycle_monitor_real gust_output;                /* [rad/s] yaw rate that no gust reaches */
     bicycle_monitor_real size_least;                 /* [-] least change of ln K that is looked for */
     bicycle_monitor_real size_most;                  /* [-] greatest change of ln K that is looked for */
+    bicycle_monitor_real size_large;                 /* [-] change of ln K that needs no more evidence than the threshold */
+    bicycle_monitor_real small_price;                /* [-] further evidence a smaller one needs, for each unit of the difference */
     bicycle_monitor_real size_guess;                 /* [-] change of ln K supposed at first */
     bicycle_monitor_real size_weight;                /* [-] information the first guess is worth */
     bicycle_monitor_real outlier_ratio;              /* [-] squared innovation over its variance beyond which it is bounded */
@@ -165,8 +167,8 @@ typedef struct bicycle_monitor_output {
     bicycle_monitor_real change;                     /* [-] change of ln K */
     bicycle_monitor_real change_variance;            /* [-] its variance */
     bicycle_monitor_real reference;                  /* [m^2/s^2] what K was before, as the monitor follows it */
-    bicycle_monitor_real evidence_of_fall;           /* [-] log likelihood of a fall */
-    bicycle_monitor_real evidence_of_rise;           /* [-] log likelihood of a rise */
+    bicycle_monitor_real evidence_of_fall;           /* [-] log likelihood of a fall, less what its smallness costs */
+    bicycle_monitor_real evidence_of_rise;           /* [-] log likelihood of a rise, less what its smallness costs */
     bicycle_monitor_real armed;                      /* [-] 1 where a change would be found now */
     bicycle_monitor_real information_rate;           /* [1/s] information about ln K a second, the others given */
 } bicycle_monitor_output;
@@ -707,13 +709,13 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
                     state->r_star_miss_rise = R(0.0);
                     state->disturbance_miss_rise = R(0.0);
                 }
-                if ((state->evidence_fall > config->threshold_fall) && (state->rough_fall < (config->rough_free + state->rough_same*config->rough_share))) { /* a fall */
+                if (((state->evidence_fall - config->small_price*((R(0.0)) > (state->size_fall + config->size_large) ? R(0.0) : state->size_fall + config->size_large)) > config->threshold_fall) && (state->rough_fall < (config->rough_free + state->rough_same*config->rough_share))) { /* a fall */
                     alarm = R(1.0);
                     onset_age = state->age_fall;
                     change = state->size_fall;
                     change_variance = doubt/(config->size_weight + state->weight_sum_fall);
                 }
-                if ((state->evidence_rise > config->threshold_rise) && (state->rough_rise < (config->rough_free + state->rough_same*config->rough_share))) { /* a rise */
+                if (((state->evidence_rise - config->small_price*((R(0.0)) > (config->size_large - state->size_rise) ? R(0.0) : config->size_large - state->size_rise)) > config->threshold_rise) && (state->rough_rise < (config->rough_free + state->rough_same*config->rough_share))) { /* a rise */
                     alarm = R(2.0);
                     onset_age = state->age_rise;
                     change = state->size_rise;
@@ -758,8 +760,8 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         status = 7;
     }
     reference = state->K_held;
-    evidence_of_fall = state->evidence_fall;
-    evidence_of_rise = state->evidence_rise;
+    evidence_of_fall = state->evidence_fall - config->small_price*((R(0.0)) > (state->size_fall + config->size_large) ? R(0.0) : state->size_fall + config->size_large);
+    evidence_of_rise = state->evidence_rise - config->small_price*((R(0.0)) > (config->size_large - state->size_rise) ? R(0.0) : config->size_large - state->size_rise);
     armed = ((state->heard > config->heard_least) && (state->hearing > config->hearing_least) && (state->known > config->known_least) ? R(1.0) : R(0.0));
     information_rate = state->hearing;
 

@@ -8,7 +8,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_monitor'
-OPERATIONS = 1172
+OPERATIONS = 1196
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -29,6 +29,8 @@ CONFIG = (
     ('gust_output', 'rad/s', 'yaw rate that no gust reaches', 1),
     ('size_least', '-', 'least change of ln K that is looked for', 1),
     ('size_most', '-', 'greatest change of ln K that is looked for', 1),
+    ('size_large', '-', 'change of ln K that needs no more evidence than the threshold', 1),
+    ('small_price', '-', 'further evidence a smaller one needs, for each unit of the difference', 1),
     ('size_guess', '-', 'change of ln K supposed at first', 1),
     ('size_weight', '-', 'information the first guess is worth', 1),
     ('outlier_ratio', '-', 'squared innovation over its variance beyond which it is bounded', 1),
@@ -134,8 +136,8 @@ OUTPUT = (
     ('change', '-', 'change of ln K', 1),
     ('change_variance', '-', 'its variance', 1),
     ('reference', 'm^2/s^2', 'what K was before, as the monitor follows it', 1),
-    ('evidence_of_fall', '-', 'log likelihood of a fall', 1),
-    ('evidence_of_rise', '-', 'log likelihood of a rise', 1),
+    ('evidence_of_fall', '-', 'log likelihood of a fall, less what its smallness costs', 1),
+    ('evidence_of_rise', '-', 'log likelihood of a rise, less what its smallness costs', 1),
     ('armed', '-', '1 where a change would be found now', 1),
     ('information_rate', '1/s', 'information about ln K a second, the others given', 1),
 )
@@ -223,29 +225,31 @@ def step(config, state, sample):
     gust_output = config[13]
     size_least = config[14]
     size_most = config[15]
-    size_guess = config[16]
-    size_weight = config[17]
-    outlier_ratio = config[18]
-    smooth_rate = config[19]
-    rough_rate = config[20]
-    rough_free = config[21]
-    rough_share = config[22]
-    score_rate = config[23]
-    distrust_rate = config[24]
-    distrust_share = config[25]
-    reference_rate = config[26]
-    known_least = config[27]
-    variance_most = config[28]
-    heard_least = config[29]
-    heard_spare = config[30]
-    heard_again = config[31]
-    hearing_rate = config[32]
-    hearing_least = config[33]
-    input_limit = config[34]
-    output_limit = config[35]
-    signal_limit = config[36]
-    validity_limit = config[37]
-    validity_rate = config[38]
+    size_large = config[16]
+    small_price = config[17]
+    size_guess = config[18]
+    size_weight = config[19]
+    outlier_ratio = config[20]
+    smooth_rate = config[21]
+    rough_rate = config[22]
+    rough_free = config[23]
+    rough_share = config[24]
+    score_rate = config[25]
+    distrust_rate = config[26]
+    distrust_share = config[27]
+    reference_rate = config[28]
+    known_least = config[29]
+    variance_most = config[30]
+    heard_least = config[31]
+    heard_spare = config[32]
+    heard_again = config[33]
+    hearing_rate = config[34]
+    hearing_least = config[35]
+    input_limit = config[36]
+    output_limit = config[37]
+    signal_limit = config[38]
+    validity_limit = config[39]
+    validity_rate = config[40]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -776,12 +780,12 @@ def step(config, state, sample):
                     v_star_miss_rise = 0.0
                     r_star_miss_rise = 0.0
                     disturbance_miss_rise = 0.0
-                if (evidence_fall > threshold_fall) and (rough_fall < (rough_free + rough_same*rough_share)):  # a fall
+                if ((evidence_fall - small_price*(0.0 if (0.0) > (size_fall + size_large) else size_fall + size_large)) > threshold_fall) and (rough_fall < (rough_free + rough_same*rough_share)):  # a fall
                     alarm = 1.0
                     onset_age = age_fall
                     change = size_fall
                     change_variance = doubt/(size_weight + weight_sum_fall)
-                if (evidence_rise > threshold_rise) and (rough_rise < (rough_free + rough_same*rough_share)):  # a rise
+                if ((evidence_rise - small_price*(0.0 if (0.0) > (size_large - size_rise) else size_large - size_rise)) > threshold_rise) and (rough_rise < (rough_free + rough_same*rough_share)):  # a rise
                     alarm = 2.0
                     onset_age = age_rise
                     change = size_rise
@@ -821,8 +825,8 @@ def step(config, state, sample):
     else:
         status = 7.0
     reference = K_held
-    evidence_of_fall = evidence_fall
-    evidence_of_rise = evidence_rise
+    evidence_of_fall = evidence_fall - small_price*(0.0 if (0.0) > (size_fall + size_large) else size_fall + size_large)
+    evidence_of_rise = evidence_rise - small_price*(0.0 if (0.0) > (size_large - size_rise) else size_large - size_rise)
     armed = (1.0 if (heard > heard_least) and (hearing > hearing_least) and (known > known_least) else 0.0)
     information_rate = hearing
     state[:] = [v_star_held, r_star_held, disturbance_held, P_0, P_1, P_2, P_3, P_4, P_5, v_star_plain, r_star_plain, v_star_fall, r_star_fall, v_star_miss_fall, r_star_miss_fall, disturbance_miss_fall, v_star_rise, r_star_rise, v_star_miss_rise, r_star_miss_rise, disturbance_miss_rise, K_held, pi1_held, eta_held, rho_held, input_offset_held, output_bias_held, size_fall, evidence_fall, age_fall, weight_sum_fall, score_sum_fall, lately_fall, side_fall, piece_fall, size_rise, evidence_rise, age_rise, weight_sum_rise, score_sum_rise, lately_rise, side_rise, piece_rise, smooth_same, smooth_fall, smooth_rise, rough_same, rough_fall, rough_rise, score, score_variance, distrust, known, hearing, heard, validity, last_input, last_U, started]
