@@ -33,7 +33,7 @@ DESIGN = {
     "structure_time": 0.3,  # s ... and stays wrong the same way this long
     "activity_rate": 1 / 0.3,  # 1/s
     "disturbance_floor": 1e-3,  # rad: crosswind and camber
-    "disturbance_share": 0.004,  # of the response; more, and whoever steers much is taken to be pushed
+    "disturbance_share": 0.003,  # of the response; more, and whoever steers much is taken to be pushed
     "disturbance_rate": 1 / 1.2,  # 1/s: a gust, a crown, a rut
     "disturbance_adapt": 1 / 5.0,  # 1/s
     "disturbance_scale_start": 1.0,  # less takes a gust of the first seconds for the car, for good
