@@ -52,12 +52,12 @@ DESIGN = {
     "validity_rate": 1.0,  # 1/s
 }
 THRESHOLD = 9.5
-BETWEEN_FALSE_ALARMS = 24  # h, with that threshold: 2 in 48 h, at least 7.6 h with 95 %
+BETWEEN_FALSE_ALARMS = 24.0  # h, with that threshold: 2 in 48 h, at least 7.6 h with 95 %
 MEASURED = (
-    (6.5, 0.9412),
+    (6.5, 0.94),
     (7.5, 2.4),
-    (8.5, 6),
-    (9.5, 24),
+    (8.5, 6.0),
+    (9.5, 24.0),
 )  # threshold, h between alarms
 RISE_MORE = 4.0  # a fall is a danger, a rise is not
 
