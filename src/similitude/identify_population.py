@@ -33,6 +33,7 @@ from similitude.monitor_config import BETWEEN_FALSE_ALARMS
 from similitude.prediction import predict_ahead
 from similitude.run import Assumed, Nuisance, Run, Trace, axle_stiffness, held, positive_estimate
 from similitude.saved_state import SavedState
+from similitude.speed_unit_doubt import speed_unit_doubts
 from similitude.steer_lag import LagScan
 from similitude.time_scales import time_scales
 from similitude.vehicle_file import Vehicle
@@ -92,6 +93,7 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
             *log.warnings,
             *([unused] if unused else []),
             *([sentence(check)] if check and check.structure_error else []),
+            *(one.warning for one in (speed_unit_doubts(ready, batch) if learnt else ())),
             *warnings_of(ready, batch, learnt=learnt),
             *doubts,
         ),

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit, fit_batch
-from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
+from similitude.batch_pass import COMMANDED_LAG, LEAST_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
 from similitude.filter_run import LINEAR, POPULATION, Pass, Setup, population_setup
 from similitude.log import Log
@@ -94,7 +94,7 @@ def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
     frozen = FrozenFilter(replace(ready.setup, library=shipped(_tyres(ready.setup.log))), prior)
-    scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
+    scanned = max(ready.scan.chosen, LEAST_LAG) if ready.scan.origin == "scanned" else prior.mean[5]
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
     return fit_batch(frozen, frozen.coordinates(start), scales)

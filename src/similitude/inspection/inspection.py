@@ -220,6 +220,7 @@ def _doubts(look: Inspection) -> list[Finding]:
     if look.prospects is not None:
         met += find_late_steer(look.prospects, look.steer)
         met += find_strange_stiffness(look.prospects, look.steer)
+        met += look.prospects.odd_speed
     wheelbase = look.vehicle.L.value if look.vehicle and look.vehicle.L else None
     odd = any(one.fault == "steer_scale" for one in met)
     if look.slow is not None and wheelbase and not odd:

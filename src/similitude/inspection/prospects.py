@@ -18,10 +18,12 @@ from numpy.typing import NDArray
 
 from similitude.filter_config import DESIGN
 from similitude.filter_run import POPULATION, Pass, Setup
-from similitude.identify_setup import prepare
+from similitude.finding import Finding
+from similitude.identify_setup import prepare, whole_log
 from similitude.log import Log
 from similitude.prediction import FROZEN
 from similitude.program.library import shipped
+from similitude.speed_unit_doubt import speed_unit_doubts
 from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
@@ -71,6 +73,7 @@ class Prospects:
     K : float                that the log itself gives, as far as it goes [m^2/s^2]
     K_prior, K_prior_std     of the population [m^2/s^2] and of ln K
     information : (n,)       gained about K along the log, cumulative [-]
+    odd_speed : tuple        findings: a unit of the speed that explains the log far better
     """
 
     unknowns: dict[str, Prospect]
@@ -89,6 +92,7 @@ class Prospects:
     K_prior: float
     K_prior_std: float
     information: NDArray[np.float64]
+    odd_speed: tuple[Finding, ...]
 
     @property
     def K_std(self) -> float:
@@ -122,9 +126,10 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
     gentle = [times for times in MORE if drive.is_linear(times)]
     short = [times for times in MORE if times * log.samples <= MOST_ROWS]
     calibrated = _drive(replace(setup, input_scale_sd=STEER_KNOWN), done).predict()["K"]
+    verdict = _verdict(unknowns["K"])
     return Prospects(
         unknowns=unknowns,
-        verdict=_verdict(unknowns["K"]),
+        verdict=verdict,
         goal=worse * goal,
         steer_times=_least(gentle, lambda times: drive.predict(steer=times)["K"], goal),
         long_times=_least(short, lambda times: drive.predict(long=int(times))["K"], goal),
@@ -139,6 +144,7 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
         K_prior=float(prior.mean[0]),
         K_prior_std=float(prior.std[0]),
         information=done.output("information_gained"),
+        odd_speed=() if verdict == "not_excited" else speed_unit_doubts(ready, whole_log(ready, done)),
     )
 
 
