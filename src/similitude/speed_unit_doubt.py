@@ -19,7 +19,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from similitude.batch_fit import BatchFit
+from similitude.batch_fit import BatchFit, fit_batch
 from similitude.batch_slopes import OUTLIER, Whitened, whiten
 from similitude.errors import shown
 from similitude.filter_run import side_by_side
@@ -73,16 +73,20 @@ def speed_unit_doubts(ready: Prepared, batch: BatchFit | None) -> tuple[Finding,
     if not gains[best] >= LEAST_GAIN:
         return ()
     fit, (factor, words, fix) = fits[best], others[best]
+    again = fit_batch(batch.frozen, fit.x, fit.scales)  # from where the other one ended: no other optimum
+    sure = min(gains[best], gain(again, fit))
+    if not sure >= LEAST_GAIN:
+        return ()
     header = log.sources.get("U", "U [m/s]")
     return (Finding(
         "speed_unit", False,
-        f"were column {shown(header)} {words}, the whole log would be {_odds(gains[best])} times as "
+        f"were column {shown(header)} {words}, the whole log would be {_odds(sure)} times as "
         f"likely: the car would lie {np.sqrt(distance(fit)):.2g} sd from the population's middle instead of "
         f"{np.sqrt(distance(batch)):.2g}, with K {fit.values['K']:.3g} m^2/s^2 instead of "
         f"{batch.values['K']:.3g}",
         "the speed is in another unit than its header says.",
         f"--fix {fix}" if fix else f"log['{header}'] *= {factor:.4g}", READ,
-        column=header, value=gains[best], fix=fix,
+        column=header, value=sure, fix=fix,
     ),)  # fmt: skip
 
 

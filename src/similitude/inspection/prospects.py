@@ -92,7 +92,7 @@ class Prospects:
     K_prior: float
     K_prior_std: float
     information: NDArray[np.float64]
-    odd_speed: tuple[Finding, ...]
+    odd_speed: tuple[Finding, ...] = ()
 
     @property
     def K_std(self) -> float:
