@@ -18,8 +18,8 @@ from similitude.handling import handling
 from similitude.identify_setup import (
     assumed_of,
     average_lag,
+    edges,
     group_table,
-    held_by_limits,
     prepare,
     reported,
     seen_speed,
@@ -172,19 +172,6 @@ def trace_of(done: Pass, K: np.ndarray, ln_K_std: np.ndarray, information: np.nd
         ay_kinematic=U * predicted,
         status=done.status,
     )
-
-
-def edges(done: Pass) -> tuple[str, ...]:
-    """Unknowns at the end of a pass that the limits of the population hold where they are."""
-    prior, library = done.setup.prior, done.setup.library
-    low, high = (
-        prior.coordinates(
-            np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
-        )
-        for side in ("low", "high")
-    )
-    x = prior.coordinates(np.array([done.value(name) for name in NAMES]))
-    return held_by_limits(x, low, high, prior, float(np.sqrt(done.covariance(["K"])[0, 0])))
 
 
 def _nuisance(done: Pass) -> dict[str, Nuisance]:

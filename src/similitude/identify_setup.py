@@ -158,6 +158,19 @@ def held_by_limits(
     return tuple(name for name, held in zip(NAMES, here, strict=True) if held)
 
 
+def edges(done: Pass) -> tuple[str, ...]:
+    """Unknowns at the end of a pass that the limits of the population hold where they are."""
+    prior, library = done.setup.prior, done.setup.library
+    low, high = (
+        prior.coordinates(
+            np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
+        )
+        for side in ("low", "high")
+    )
+    x = prior.coordinates(np.array([done.value(name) for name in NAMES]))
+    return held_by_limits(x, low, high, prior, float(np.sqrt(done.covariance(["K"])[0, 0])))
+
+
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:
     """Every unknown beside what the population said; ``std`` (4,) of the coordinates.
 

@@ -11,7 +11,7 @@ from similitude.inspection.doubts import (
     find_cut_steer,
     find_late_steer,
     find_other_axis,
-    find_strange_stiffness,
+    find_strange_car,
     find_wrong_scale,
 )
 from similitude.inspection.follow import Follow
@@ -76,9 +76,12 @@ def test_a_scale_must_be_off_by_more_than_its_interval(length, found):
 
 
 def test_a_stiffness_no_car_has_doubts_the_steer():
-    assert faults(find_strange_stiffness(plan(K=970.0), "delta")) == ["steer_scale"]
-    assert find_strange_stiffness(plan(K=40.0), "delta") == []  # ice is a road too
-    assert find_strange_stiffness(plan(K=970.0, verdict="not_excited"), "delta") == []
+    assert faults(find_strange_car(plan(K=970.0), "delta")) == ["steer_scale"]
+    assert find_strange_car(plan(K=40.0), "delta") == []  # ice is a road too
+    assert faults(find_strange_car(plan(K=970.0, verdict="not_excited"), "delta")) == ["steer_scale"]
+    (edge,) = find_strange_car(plan(at_limit=("rho",)), "delta")
+    assert edge.fault == "outside_population"
+    assert "the yaw inertia (rho)" in edge.what
 
 
 def signals(ay_of):
@@ -104,7 +107,7 @@ def test_an_acceleration_along_the_car_is_not_the_lateral_one():
 def test_every_doubt_has_its_four_parts_and_refuses_nothing():
     met = [
         *find_late_steer(plan(lag=0.06, commanded=True), "delta"),
-        *find_strange_stiffness(plan(K=970.0), "delta"),
+        *find_strange_car(plan(K=970.0), "delta"),
         *find_wrong_scale(SlowRelation(20, length=4.0, length_std=0.05), 2.7, "delta", at_wheel=False),
     ]
 
