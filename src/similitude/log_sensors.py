@@ -55,7 +55,7 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
                       spikes; each with the rows
     """
     found = []
-    dead = _dead_rows(values)
+    dead, subtracted = _dead_rows(values)
     for name in [name for name in WORDS if name in values]:
         header = column_of(name, columns).header
         stuck = stuck_rows(values, name) & ~(dead if name == "r" else False)
@@ -66,16 +66,18 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
     if "r" in values:
         header = columns["r"].header
         found += _said("r", header, "interpolated", straight_rows(values["t"], values["r"]), values["t"])
-        found += _said("r", header, "dead_band", dead, values["t"])
+        found += _said("r", header, "subtracted" if subtracted else "dead_band", dead, values["t"])
     return found
 
 
-def _dead_rows(values: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Rows (n,) in which the yaw rate of a moving car was set to one number, being small."""
+def _dead_rows(values: Mapping[str, np.ndarray]) -> tuple[np.ndarray, bool]:
+    """Rows (n,) in which the yaw rate of a moving car was set to one number, and whether others are short."""
     rate = values.get("r", np.zeros(0))
     moving = np.abs(values["U"]) > STANDSTILL if "U" in values else np.isfinite(rate)
     found = dead_band(rate[moving]) if rate.size else None
-    return np.zeros(values["t"].size, dtype=bool) if found is None else moving & (rate == found.value)
+    if found is None:
+        return np.zeros(values["t"].size, dtype=bool), False
+    return moving & (rate == found.value), not found.width
 
 
 _TEXTS = {
@@ -86,6 +88,11 @@ _TEXTS = {
         "is one and the same number in {count} rows, and never near it otherwise",
         "small values were set to zero, and the car seems to answer less: K reads low.",
         "drop_dead_band",
+    ),
+    "subtracted": (
+        "is one and the same number in {count} rows, and no other number comes back",
+        "a dead band was subtracted and all others are short by it, or it stands for missing values.",
+        None,
     ),
     "interpolated": (
         "lies on straight lines for {seconds:.3g} s",
@@ -101,12 +108,13 @@ def _said(name: str, header: str, fault: str, rows: np.ndarray, t: np.ndarray) -
         return []
     seconds = count * float(np.median(np.diff(t)))
     what, usually, fix = _TEXTS[fault]
+    fault = "dead_band" if fault == "subtracted" else fault
     first, last = (int(one) for one in np.flatnonzero(rows)[[0, -1]])
     return [Finding(
         fault, False,
         f"column {shown(header)} ({WORDS[name]}) {what.format(seconds=seconds, count=count)}, first in "
         f"data row {first + 1} (t = {t[first]:.6g} s)",
-        usually, f"--fix {fix}", READ, column=header,
+        usually, f"--fix {fix}" if fix else "--map r=COLUMN   # of the gyro itself", READ, column=header,
         value=float(count) if fault in ("spikes", "clipped", "dead_band") else seconds,
         rows=(first + 1, last + 1), fix=fix,
     )]  # fmt: skip
