@@ -97,7 +97,7 @@ FAULTS: dict[str, tuple[Callable, set[str], dict[str, str]]] = {
     "yaw rate clipped": (bad.clipped("r"), {"clipped"}, {}),
     "yaw rate overflows": (bad.overflowing("r"), {"overflow", "spikes"}, {}),
     "yaw rate with a dead band": (bad.dead_banded("r"), {"dead_band"}, {}),
-    "dead band subtracted": (bad.dead_subtracted("r"), {"dead_band"}, {}),
+    "dead band subtracted": (bad.dead_subtracted("r"), {"dead_band", "dead_band_subtracted"}, {}),
     "spikes of the steer": (bad.spiked("delta"), {"spikes"}, {}),
     "spikes of the yaw rate": (bad.spiked("r"), {"spikes"}, {}),
     "spikes of the speed": (bad.spiked("U"), {"spikes"}, {}),

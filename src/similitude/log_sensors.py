@@ -66,7 +66,7 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
     if "r" in values:
         header = columns["r"].header
         found += _said("r", header, "interpolated", straight_rows(values["t"], values["r"]), values["t"])
-        found += _said("r", header, "subtracted" if subtracted else "dead_band", dead, values["t"])
+        found += _said("r", header, "dead_band_subtracted" if subtracted else "dead_band", dead, values["t"])
     return found
 
 
@@ -89,7 +89,7 @@ _TEXTS = {
         "small values were set to zero, and the car seems to answer less: K reads low.",
         "drop_dead_band",
     ),
-    "subtracted": (
+    "dead_band_subtracted": (
         "is one and the same number in {count} rows, and no other number comes back",
         "a dead band was subtracted and all others are short by it, or it stands for missing values.",
         None,
@@ -108,14 +108,13 @@ def _said(name: str, header: str, fault: str, rows: np.ndarray, t: np.ndarray) -
         return []
     seconds = count * float(np.median(np.diff(t)))
     what, usually, fix = _TEXTS[fault]
-    fault = "dead_band" if fault == "subtracted" else fault
     first, last = (int(one) for one in np.flatnonzero(rows)[[0, -1]])
     return [Finding(
         fault, False,
         f"column {shown(header)} ({WORDS[name]}) {what.format(seconds=seconds, count=count)}, first in "
         f"data row {first + 1} (t = {t[first]:.6g} s)",
         usually, f"--fix {fix}" if fix else "--map r=COLUMN   # of the gyro itself", READ, column=header,
-        value=float(count) if fault in ("spikes", "clipped", "dead_band") else seconds,
+        value=seconds if fault in ("stuck", "interpolated") else float(count),
         rows=(first + 1, last + 1), fix=fix,
     )]  # fmt: skip
 

@@ -50,7 +50,7 @@ def test_a_log_with_a_subtracted_band_is_said_and_no_repair_is_offered(tmp_path)
 
     (found,) = survey(path).findings
 
-    assert (found.fault, found.fix) == ("dead_band", None)
+    assert (found.fault, found.fix) == ("dead_band_subtracted", None)
     assert "short by it" in found.usually
     assert not np.isnan(survey(path, fixes=["drop_dead_band"]).values["r"]).any()
 

@@ -34,6 +34,7 @@ DOUBTFUL = {
     "steer_cut": "a steer that is cut off",
     "stuck": "a sensor that was stuck",
     "dead_band": "a yaw rate whose small values were set to zero",
+    "dead_band_subtracted": "a yaw rate from which something was subtracted",
     "drives_joined": "two drives in one log",
 }
 
