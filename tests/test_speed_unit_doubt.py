@@ -1,4 +1,4 @@
-"""A speed in another unit needs an odd car; sound ones are left alone, and so is what ay vouches for."""
+"""A speed in another unit needs an odd car; sound ones are left alone, whatever ay says."""
 
 from dataclasses import replace
 
@@ -59,13 +59,11 @@ def test_sound_cars_from_all_over_the_population_are_left_alone():
         assert doubts(said_in(log, "U [km/h]")) == ()
 
 
-def test_a_lateral_acceleration_that_is_U_r_vouches_for_the_speed(town):
+def test_a_lateral_acceleration_does_not_vouch_for_the_speed(town):
+    """Quick steering at speed makes ay 0.7 of U r: with a speed too small by 1.6 they look alike."""
     slow = replace(town, U=town.U / MPH)
-    rng = np.random.default_rng(0)
-    ay = slow.U * slow.r + 0.1 * rng.standard_normal(slow.samples)
 
-    assert doubts(said_in(slow, "U [km/h]"))
-    assert doubts(said_in(replace(slow, ay=ay), "U [km/h]")) == ()
+    assert doubts(said_in(replace(slow, ay=1.1 * slow.U * slow.r), "U [km/h]"))
 
 
 def test_a_repair_that_was_asked_for_is_the_claim(town):

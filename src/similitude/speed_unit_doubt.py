@@ -9,8 +9,8 @@ scale at once: each within what the population has, all of them together not. Tw
     d^2 squared distance of the fitted car from the middle of its prior, in sd;  P covariance of the fit
     w   by how much the information is overstated (`BatchFit.widened`), the larger of the two
 
-Invariant: only said; nothing is fitted again where the first fit found a usual car that explains the log, or
-where the lateral acceleration is U r, which vouches for the speed.
+Invariant: only said; nothing is fitted again where the first fit found a usual car that explains the log. A lateral
+acceleration is not asked: quick steering at speed makes it 0.7 of U r, and then a speed too small by 1.6 hides.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from similitude.finding import Finding
 from similitude.identify_setup import Prepared, whole_log
 from similitude.log import Log
 from similitude.log_quantities import split_header
-from similitude.log_response import ALIKE_AY, SPEEDS, relate
+from similitude.log_response import SPEEDS
 from similitude.units import parse_unit
 
 UNUSUAL = 2.0  # d^2: two drives of three; it is 6 on average where a log tells all
@@ -39,7 +39,6 @@ EXPLAINED = 3.0  # w'
 LEAST_GAIN = 2.0  # odds of seven to one, for a word
 SHARED = 0.9  # of the rows that taught; below, the car would be too slow for its tyres to show
 LONGEST = 60.0  # s of the log that are fitted again: those in which most was steered
-VOUCHED = 0.7, 1.33  # slope of ay over U r; mph and knots are further off from km/h and m/s
 
 # Speeds that somebody divided by 3.6 because they were to be in km/h: (SI value of 1 m/s of the header, unit)
 CONVERTED = ((3.6 * 0.44704, "mph"), (1.852, "knots"))
@@ -59,7 +58,7 @@ def speed_unit_doubts(ready: Prepared, batch: BatchFit | None) -> tuple[Finding,
     -------
     tuple of Finding      ``speed_unit`` with the unit under which the log is far more likely, or nothing
     """
-    if batch is None or _is_plain(batch) or _vouched(ready.setup.log):
+    if batch is None or _is_plain(batch):
         return ()
     log = ready.setup.log
     if log.duration > LONGEST:
@@ -125,16 +124,6 @@ def _is_plain(batch: BatchFit) -> bool:
 def _explains(fit: BatchFit, room: float) -> bool:
     """Whether a car that is usual enough explains the log; a model wrong elsewhere is mended by no unit."""
     return fit.settled and fit.widened < EXPLAINED and distance(fit) < room
-
-
-def _vouched(log: Log) -> bool:
-    """Whether the lateral acceleration is U r."""
-    if log.ay is None:
-        return False
-    relation = relate(log.t, log.U * log.r, log.ay, level_counts=False)
-    if relation is None or not relation.is_alike(ALIKE_AY):
-        return False
-    return VOUCHED[0] < relation.slope < VOUCHED[1]
 
 
 def _most_steered(log: Log) -> Log:
