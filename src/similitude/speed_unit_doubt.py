@@ -9,8 +9,9 @@ scale at once: each within what the population has, all of them together not. Tw
     d^2 squared distance of the fitted car from the middle of its prior, in sd;  P covariance of the fit
     w   by how much the information is overstated (`BatchFit.widened`), the larger of the two
 
-Invariant: only said; nothing is fitted again where the first fit found a usual car that explains the log. A lateral
-acceleration is not asked: quick steering at speed makes it 0.7 of U r, and then a speed too small by 1.6 hides.
+Invariant: only said; nothing is fitted again where the first fit found a usual car that explains the log.
+Lateral acceleration is not asked: quick steering at speed makes it 0.7 of U r, and then a speed too small by
+1.6 hides.
 """
 
 from __future__ import annotations
