@@ -12,7 +12,7 @@ import sympy as sp
 
 from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
-from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share, surprise
+from similitude.estimators.filter_jump import heard, jump, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
@@ -241,7 +241,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         ),
         surprise(_linear(layout)),
         Assign("learn", S("excited") * S("inv_spread")),
-        *doubt(P[t, t], _linear(layout)),
+        heard(),
         *jump(),
         Assign(
             "learn_slow",
@@ -303,7 +303,6 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
     for i, gain in gains.items():
         name = layout.coordinates[i]
         if name == layout.target:
-            lines.append(moved_score(gain * nu))
             lines.append(Assign("move", S("move") + gain * nu))
         elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))

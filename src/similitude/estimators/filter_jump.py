@@ -1,9 +1,8 @@
-"""When the first unknown is taken to have jumped: by surprise, by doubt, or because it could not have shown.
+"""When the first unknown is taken to have jumped: by surprise, or because it could not have shown.
 
 Surprise is the mean of the normalised innovation squared over half a second; it is quick, and blind where a
-jump is small against noise and disturbance. Doubt is the score, the slope of the log likelihood along the
-unknown over some seconds, against its variance. Where the information of those seconds could not have
-shown a jump, the unknown diffuses faster all the time.
+jump is small against noise and disturbance. Where the information of the last seconds could not have shown
+a jump, the unknown diffuses faster all the time.
 
 Invariant: what is added to the unknown's variance is never negative.
 """
@@ -37,36 +36,14 @@ def surprise(linear: sp.Basic) -> Assign:
     return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
 
-def doubt(variance: sp.Expr, linear: sp.Basic = sp.true) -> list[Assign]:
-    """What the innovations of late say against the first unknown as it is now.
-
-    With an information J of late and a variance P of the unknown, the score has variance J (1 + J P) while
-    the filter is right; a jump by d moves it by J d. J and P are those with everything else unknown.
-    Outside the ``linear`` range the score waits, and nothing is doubted.
-    """
-    told, keep = S("told"), S("keep_score")
-    return [
-        Assign("keep_score", sp.Piecewise((1 - share("score_rate"), linear), (1, True))),
-        Assign("told", sp.Piecewise((S("sensitivity") * S("inv_spread"), linear), (0, True))),
-        Assign("heard", keep * S("heard") + told * S("sensitivity"), "information of late"),
-        Assign("score", keep * S("score") + told * S("innovation")),
-        Assign(
-            "score_variance",
-            S("heard") * (1 + S("heard") * variance) + S("prior_information"),
-            "little is no evidence",
-        ),
-        Assign(
-            "doubt",
-            sp.Piecewise(
-                (sp.Min(S("score") ** 2 / S("score_variance") - S("score_enough"), S("score_most")), linear),
-                (0, True),
-            ),
-        ),
-    ]
+def heard() -> Assign:
+    """What the last seconds told about the first unknown, with everything else unknown."""
+    told = S("inv_spread") * S("sensitivity") ** 2
+    return Assign("heard", (1 - share("heard_rate")) * S("heard") + told, "information of late")
 
 
 def jump() -> list[Assign]:
-    """Surprise beyond its limit, where it also stands out from what this vehicle usually does, or doubt."""
+    """Surprise beyond its limit, where it also stands out from what this vehicle usually does."""
     above = S("surprise") - 1
     stands_out = S("above") * S("above") > S("jump_ratio") * S("restlessness")
     beyond = S("surprise") - S("surprise_limit")
@@ -76,13 +53,5 @@ def jump() -> list[Assign]:
             "restlessness",
             S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
         ),
-        Assign(
-            "jump",
-            sp.Max(sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True)), S("doubt")),
-        ),
+        Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
     ]
-
-
-def moved_score(by: sp.Expr) -> Assign:
-    """The score at the estimate as it is after the unknown has moved."""
-    return Assign("score", S("score") - S("heard") * by, "at the estimate as it is now")

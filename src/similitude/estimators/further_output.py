@@ -17,7 +17,7 @@ import sympy as sp
 
 from similitude.estimators.filter_covariance import LARGEST_STEP, exponential, keep_within, move_log
 from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, OFFSET, Layout
-from similitude.estimators.filter_jump import moved_score, share
+from similitude.estimators.filter_jump import share
 from similitude.model import Quantity
 from similitude.program.ir import Assign, Statement, When, shared
 from similitude.program.symmetric import column, reduce_by
@@ -137,7 +137,7 @@ def _move(layout: Layout, n: str, gains: Mapping[int, sp.Symbol]) -> list[Statem
     for i, gain in gains.items():
         name = layout.coordinates[i]
         if name == layout.target:
-            lines += [moved_score(gain * nu), Assign("move", S("move") + gain * nu)]
+            lines.append(Assign("move", S("move") + gain * nu))
         elif name in logs:
             lines += [Assign(f"{n}_move_{name}", gain * nu), *move_log(name, f"{n}_move_{name}")]
         else:

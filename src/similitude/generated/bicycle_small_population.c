@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 932 at most, 5 at least (arithmetic, comparisons, selects), init 5.
- * Memory: state 62 reals, configuration 65 reals; no heap, no globals, no libm, C99.
+ * Operations: step 896 at most, 5 at least (arithmetic, comparisons, selects), init 5.
+ * Memory: state 61 reals, configuration 63 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -88,9 +88,7 @@ typedef struct bicycle_small_population_config {
     bicycle_small_population_real surprise_rate;     /* [1/s] averaging rate of the normalised innovation */
     bicycle_small_population_real jump_ratio;        /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_small_population_real surprise_limit;    /* [-] mean squared normalised innovation that speaks of a jump */
-    bicycle_small_population_real score_rate;        /* [1/s] rate at which the score of the first unknown is forgotten */
-    bicycle_small_population_real score_enough;      /* [-] squared score over its variance that speaks of a jump */
-    bicycle_small_population_real score_most;        /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_small_population_real heard_rate;        /* [1/s] rate at which what was told of the first unknown is forgotten */
     bicycle_small_population_real faint_drift;       /* [1/s] further diffusion of ln K while a jump could not show */
     bicycle_small_population_real inv_telling;       /* [-] 1/information of late in which a jump shows */
     bicycle_small_population_real observed_least;    /* [-] least share of the disturbance taken as observed */
@@ -120,7 +118,6 @@ typedef struct bicycle_small_population_state {
     bicycle_small_population_real restlessness;      /* [-] long-run mean square of the surprise beyond one */
     bicycle_small_population_real jump;              /* [-] surprise taken as a jump of the first unknown */
     bicycle_small_population_real surprise;          /* [-] recent mean of the normalised innovation squared */
-    bicycle_small_population_real score;             /* [-] recent slope of the log likelihood along the first unknown */
     bicycle_small_population_real heard;             /* [-] recent information about the first unknown */
     bicycle_small_population_real excitation;        /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_small_population_real excited;           /* [-] 1 while the input excites the first unknown, else 0 */
@@ -217,7 +214,6 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     P[15] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
-    state->score = R(0.0);
     state->heard = R(0.0);
     state->activity = R(0.0);
     state->excitation = R(0.0);
@@ -296,7 +292,6 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
-            state->score = R(0.0);
             state->heard = R(0.0);
             state->surprise = R(1.0);
         }
@@ -532,15 +527,10 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
             state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_small_population_real learn = state->excited*inv_spread;
-            const bicycle_small_population_real keep_score = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) - ((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate) : R(1.0));
-            const bicycle_small_population_real told = (state->validity < (config->validity_limit*config->validity_limit) ? inv_spread*sensitivity : R(0.0));
-            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
-            state->score = innovation*told + keep_score*state->score;
-            const bicycle_small_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[21]*state->heard); /* little is no evidence */
-            const bicycle_small_population_real doubt = (state->validity < (config->validity_limit*config->validity_limit) ? ((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough) : R(0.0));
+            state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_small_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = ((doubt) > ((((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0))) ? doubt : (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0)));
+            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
             const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -596,7 +586,6 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->v_star = state->v_star + gain_0*innovation;
             state->r_star = state->r_star + gain_1*innovation;
             state->disturbance = state->disturbance + gain_2*innovation;
-            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             state->pi1 = state->pi1 + gain_4*innovation;
             const bicycle_small_population_real move_eta = gain_5*innovation;
