@@ -55,10 +55,10 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
                       spikes; each with the rows
     """
     found = []
-    dead, subtracted = _dead_rows(values)
+    dead, short = _dead_rows(values)
     for name in [name for name in WORDS if name in values]:
         header = column_of(name, columns).header
-        stuck = stuck_rows(values, name) & ~(dead if name == "r" else False)
+        stuck = stuck_rows(values, name) & ~(dead | short if name == "r" else False)
         found += _said(name, header, "stuck", stuck, values["t"])
         if name != "U":
             found += _said(name, header, "clipped", cut_rows(values, name), values["t"])
@@ -66,18 +66,21 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
     if "r" in values:
         header = columns["r"].header
         found += _said("r", header, "interpolated", straight_rows(values["t"], values["r"]), values["t"])
-        found += _said("r", header, "dead_band_subtracted" if subtracted else "dead_band", dead, values["t"])
+        found += _said("r", header, "dead_band", dead, values["t"])
+        found += _said("r", header, "dead_band_subtracted", short, values["t"])
     return found
 
 
-def _dead_rows(values: Mapping[str, np.ndarray]) -> tuple[np.ndarray, bool]:
-    """Rows (n,) in which the yaw rate of a moving car was set to one number, and whether others are short."""
+def _dead_rows(values: Mapping[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Rows (n,) in which the yaw rate of a moving car was set to one number: others whole, and others short."""
     rate = values.get("r", np.zeros(0))
     moving = np.abs(values["U"]) > STANDSTILL if "U" in values else np.isfinite(rate)
     found = dead_band(rate[moving]) if rate.size else None
+    none = np.zeros(values["t"].size, dtype=bool)
     if found is None:
-        return np.zeros(values["t"].size, dtype=bool), False
-    return moving & (rate == found.value), not found.width
+        return none, none
+    rows = moving & (rate == found.value)
+    return (rows, none) if found.width else (none, rows)
 
 
 _TEXTS = {
