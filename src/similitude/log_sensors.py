@@ -58,7 +58,7 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
     dead, short = _dead_rows(values)
     for name in [name for name in WORDS if name in values]:
         header = column_of(name, columns).header
-        stuck = stuck_rows(values, name) & ~(dead | short if name == "r" else False)
+        stuck = stuck_rows(values, name) & ~(dead | short if name == "r" else np.zeros_like(dead))
         found += _said(name, header, "stuck", stuck, values["t"])
         if name != "U":
             found += _said(name, header, "clipped", cut_rows(values, name), values["t"])
@@ -72,7 +72,7 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
 
 
 def _dead_rows(values: Mapping[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Rows (n,) in which the yaw rate of a moving car was set to one number: others whole, and others short."""
+    """Rows (n,) in which the yaw rate of a moving car was set to one number: the rest whole, or short."""
     rate = values.get("r", np.zeros(0))
     moving = np.abs(values["U"]) > STANDSTILL if "U" in values else np.isfinite(rate)
     found = dead_band(rate[moving]) if rate.size else None
