@@ -10,7 +10,7 @@ from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_dr
 DT, RATE = 0.01, 0.2  # s, 1/s
 SOUND = {
     "dt": DT, "score_rate": RATE, "score_enough": 2.0, "score_most": 5.0, "prior_information": 4.0,
-    "sensitivity": 0.2, "inv_spread": 1.0, "heard": 0.0, "score": 0.0,
+    "linear": 1.0, "sensitivity": 0.2, "inv_spread": 1.0, "heard": 0.0, "score": 0.0,
 }  # fmt: skip
 INFORMATION = SOUND["sensitivity"] ** 2 / DT / RATE  # of five seconds, once they are over
 

@@ -30,24 +30,24 @@ def quiet_drift() -> sp.Expr:
     return S("drift") + S("faint_drift") * sp.Max(0, 1 - S("heard") * S("inv_telling"))
 
 
-def surprise(linear: sp.Basic) -> Assign:
+def surprise() -> Assign:
     """Recent surprise; beyond the linear range an innovation counts as usual."""
-    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    told = 1 + S("linear") * S("odd")
     mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
     return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
 
-def doubt(variance: sp.Expr, linear: sp.Basic = sp.true) -> list[Assign]:
+def doubt(variance: sp.Expr) -> list[Assign]:
     """What the innovations of late say against the first unknown as it is now.
 
     With an information J of late and a variance P of the unknown, the score has variance J (1 + J P) while
     the filter is right; a jump by d moves it by J d. J and P are those with everything else unknown.
-    Outside the ``linear`` range the score waits, and nothing is doubted.
+    Outside the linear range (``linear`` is 1 in it, else 0) the score waits, and nothing is doubted.
     """
-    told, keep = S("told"), S("keep_score")
+    told, keep, linear = S("told"), S("keep_score"), S("linear")
     return [
-        Assign("keep_score", sp.Piecewise((1 - share("score_rate"), linear), (1, True))),
-        Assign("told", sp.Piecewise((S("sensitivity") * S("inv_spread"), linear), (0, True))),
+        Assign("keep_score", 1 - linear * share("score_rate")),
+        Assign("told", linear * S("sensitivity") * S("inv_spread")),
         Assign("heard", keep * S("heard") + told * S("sensitivity"), "information of late"),
         Assign("score", keep * S("score") + told * S("innovation")),
         Assign(
@@ -57,10 +57,7 @@ def doubt(variance: sp.Expr, linear: sp.Basic = sp.true) -> list[Assign]:
         ),
         Assign(
             "doubt",
-            sp.Piecewise(
-                (sp.Min(S("score") ** 2 / S("score_variance") - S("score_enough"), S("score_most")), linear),
-                (0, True),
-            ),
+            linear * sp.Min(S("score") ** 2 / S("score_variance") - S("score_enough"), S("score_most")),
         ),
     ]
 
@@ -76,10 +73,9 @@ def jump() -> list[Assign]:
             "restlessness",
             S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
         ),
-        Assign(
-            "jump",
-            sp.Max(sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True)), S("doubt")),
-        ),
+        Assign("rise", sp.Piecewise((beyond, stands_out), (0, True))),
+        Assign("either", sp.Max(S("rise"), S("doubt"))),
+        Assign("jump", sp.Max(S("either"), 0)),
     ]
 
 

@@ -33,9 +33,9 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
+    "above above_move away cold bounded_move doubt either expected follow gained h i_det inv_P inv_det "
     "inv_dt inv_output_scale keep keep_score keep_w learn learn_seldom learn_slow least_scale "
-    "lost nis noise noise_change output_rate output_scale p pp q qq ramp response score_variance "
+    "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise score_variance "
     "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
 )
@@ -103,6 +103,7 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         Field("status", "-", "status code"),
         Field("u_now", layout.input.unit, "input used now"),
         *(Field(f"{q.name}_now", q.unit, "scale used now") for q in layout.signals),
+        Field("hit", "-", "1 where an unknown is at its limit"),
         Field("anew", "-", "1 where the dynamic state starts anew"),
         Field("usable", "-", "1 where input, scale and measurement can be used"),
         Field("diffusion", "1/s", "diffusion of the first unknown now"),
@@ -210,7 +211,7 @@ def _handed_out(layout: Layout, *lines: Assign) -> tuple[Assign, ...]:
 
 
 def _within(x: sp.Symbol, limit: str) -> sp.Basic:
-    return sp.And(x > -S(limit), x < S(limit))
+    return sp.Abs(x) < S(limit)
 
 
 def _gates(layout: Layout) -> list[Statement]:
@@ -232,7 +233,7 @@ def _gates(layout: Layout) -> list[Statement]:
             )
             for now, given, last, limit in read
         ),
-        When(sp.Not(_within(S("measured"), "output_limit")), none, (), "no measurement"),
+        When(_within(S("measured"), "output_limit"), (), none, "no measurement"),
         When(
             S("started") < 0.5,
             (
@@ -357,13 +358,16 @@ def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
 def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
     lines: list[Statement] = []
-    hit = []
-    moving = layout.moving
-    for name in moving:
-        hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
-    clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
-    at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
-    lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
+    limits = [(n, end) for n in layout.moving for end in ("low", "high")]
+    lines.append(Assign("hit", sp.Integer(0)))
+    for name, end in limits:
+        at, limit = S(name), S(f"{name}_{end}")
+        beyond = at < limit if end == "low" else at > limit
+        lines.append(When(beyond, (Assign(name, limit), Assign("hit", sp.Integer(1)))))
+    said = sp.And(S("hit") > sp.Rational(1, 2), S("usable") > sp.Rational(1, 2))
+    lines.append(
+        When(said, (Assign("status", sp.Integer(STATUS["at_limit"])),), (), "prior +- its allowed range")
+    )
     lines += _handed_out(
         layout,
         Assign("noise_now", S("noise")),
@@ -371,5 +375,9 @@ def _after(layout: Layout) -> list[Statement]:
     )
     lines.append(Assign("last_input", S("u_now")))
     lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
-    lines.append(When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))))
+    lines.append(
+        When(
+            S("usable") > sp.Rational(1, 2), (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))
+        )
+    )
     return lines

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1204
+OPERATIONS = 1133
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 
@@ -413,6 +413,7 @@ def step(config, state, sample):
     disturbance_now = 0.0
     estimate = 0.0
     eta_now = 0.0
+    hit = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
@@ -437,19 +438,21 @@ def step(config, state, sample):
         usable = 1.0
         anew = 0.0  # 1 where the dynamic state starts anew
         age = age + dt
-        if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
+        if abs(input) < input_limit:  # a missing one is held
             u_now = input
         else:
             u_now = last_input
             usable = 0.0
             status = 4.0
-        if (U < signal_limit) and (U > (-signal_limit)):  # a missing one is held
+        if abs(U) < signal_limit:  # a missing one is held
             U_now = U
         else:
             U_now = last_U
             usable = 0.0
             status = 4.0
-        if not ((measured < output_limit) and (measured > (-output_limit))):  # no measurement
+        if abs(measured) < output_limit:  # no measurement
+            pass
+        else:
             usable = 0.0
             status = 4.0
         if started < 0.5:  # no sample before it could be used
@@ -532,53 +535,44 @@ def step(config, state, sample):
         inv0 = (1.0/rho)
         inv1 = (1.0/(pi1 - 1.0))
         c0 = (-r_star)
-        c1 = (inv_U*inv_U)
-        c2 = v_star + pi1*r_star
-        c3 = c2 - u
-        c4 = c0 + c2
-        c5 = c1*pi1
-        c6 = c5*eta
+        c1 = pi1*r_star
+        c2 = eta*(c0 + c1 + v_star)
+        c3 = inv1*pi1
+        c4 = u - c1 - v_star
+        c5 = K*(inv_U*inv_U)
+        c6 = c5*inv0
         c7 = c6*inv1
-        c8 = c1*inv0
-        c9 = c8*eta*inv1
-        c10 = (-r_star_plain)
-        c11 = v_star_plain + pi1*r_star_plain
-        c12 = c11 - u_plain
-        c13 = c1*c12
-        c14 = c10 + c11
-        c15 = c14*c7
-        c16 = K*(c15 - c13)
-        c17 = K*(c1*c12*inv0*inv1 - c14*c9)
+        c8 = (-r_star_plain)
+        c9 = pi1*r_star_plain
+        c10 = c9 + v_star_plain
+        c11 = c10 + c8
+        c12 = c11*eta
+        c13 = c12*c3
+        c14 = u_plain - c9 - v_star_plain
+        c15 = c5*(c13 + c14)
+        c16 = c12 + c14
+        c17 = (-c16*c7)
         c18 = 0.16666666666666666*h
-        c19 = K*c18
-        c20 = c8*eta
-        c21 = c1*r_star_plain
-        c22 = (inv1*inv1)
-        c23 = c14*c22
-        c24 = inv0*inv1
-        c25 = c21*c24
-        c26 = c14*eta
-        c27 = K*c1
-        c28 = c24*c27
-        c29 = (inv0*inv0)
-        f_v_star = c0 + K*(c4*c7 - c1*c3)  # rate [-]
-        f_r_star = K*(c1*c3*inv0*inv1 - c4*c9)  # rate [-]
-        f_v_star_plain = c10 + c16
+        c19 = eta - 1.0
+        c20 = c12*inv1
+        f_v_star = c0 + c5*(c4 + c2*c3)  # rate [-]
+        f_r_star = c7*((-c2) - c4)  # rate [-]
+        f_v_star_plain = c15 + c8
         f_r_star_plain = c17
-        J_00 = c19*(c7 - c1)
-        J_01 = c18*(K*(c6 - c5) - 1.0)
-        J_10 = c19*(c1*inv0*inv1 - c9)
-        J_11 = c19*(c1*inv0*inv1*pi1 - c20)
-        f_v_star_K = c16
+        J_00 = c18*c5*(c3*eta - 1.0)
+        J_01 = c18*(c19*c5*pi1 - 1.0)
+        J_10 = (-c18*c19*c7)
+        J_11 = c18*c6*(inv1*pi1 - eta)
+        f_v_star_K = c15
         f_r_star_K = c17
-        f_v_star_pi1 = K*(c1*c14*eta*inv1 + c1*eta*inv1*pi1*r_star_plain - c21 - c23*c6)
-        f_r_star_pi1 = K*(c25 + c20*c23 - c25*eta - c13*c22*inv0)
-        f_v_star_eta = K*c15
-        f_r_star_eta = (-c26*c28)
+        f_v_star_pi1 = c5*(c11*eta*inv1 + eta*inv1*pi1*r_star_plain - r_star_plain - c12*pi1*(inv1*inv1))
+        f_r_star_pi1 = c7*(c20 + r_star_plain - eta*r_star_plain - inv1*(c10 - u_plain))
+        f_v_star_eta = c13*c5
+        f_r_star_eta = (-c20*c6)
         f_v_star_rho = 0.0
-        f_r_star_rho = K*rho*(c1*c26*c29*inv1 - c13*c29*inv1)
-        f_v_star_u = c27
-        f_r_star_u = (-c28)
+        f_r_star_rho = c16*c7
+        f_v_star_u = c5
+        f_r_star_u = (-c7)
         p0 = J_00*J_11 - J_01*J_10
         p1 = (-J_00) - J_11
         n0 = 1.0 - 1.5*p0
@@ -659,56 +653,71 @@ def step(config, state, sample):
         F_r_star_v_star = M_10*ratio_v_star
         F_r_star_r_star = M_11*ratio_r_star
         PW_0 = P_2 + P_8 + P_7*steer
-        FP_0_0 = (F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4) + (F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0)
-        FP_1_0 = (F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4) + (F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0)
+        FP_0_0 = F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
+        FP_1_0 = F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
         PW_1 = P_11 + P_17 + P_16*steer
-        FP_0_1 = (F_v_star_K*P_12 + F_v_star_eta*P_14 + F_v_star_pi1*P_13) + (F_v_star_r_star*P_10 + F_v_star_rho*P_15 + F_v_star_u*PW_1 + F_v_star_v_star*P_1)
-        FP_1_1 = (F_r_star_K*P_12 + F_r_star_eta*P_14 + F_r_star_pi1*P_13) + (F_r_star_r_star*P_10 + F_r_star_rho*P_15 + F_r_star_u*PW_1 + F_r_star_v_star*P_1)
+        FP_0_1 = F_v_star_K*P_12 + F_v_star_eta*P_14 + F_v_star_pi1*P_13 + F_v_star_r_star*P_10 + F_v_star_rho*P_15 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
+        FP_1_1 = F_r_star_K*P_12 + F_r_star_eta*P_14 + F_r_star_pi1*P_13 + F_r_star_r_star*P_10 + F_r_star_rho*P_15 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
+        P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star
+        P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star
+        P_10 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star
         PW_2 = P_19 + P_25 + P_24*steer
-        FP_0_2 = (F_v_star_K*P_20 + F_v_star_eta*P_22 + F_v_star_pi1*P_21) + (F_v_star_r_star*P_11 + F_v_star_rho*P_23 + F_v_star_u*PW_2 + F_v_star_v_star*P_2)
-        FP_1_2 = (F_r_star_K*P_20 + F_r_star_eta*P_22 + F_r_star_pi1*P_21) + (F_r_star_r_star*P_11 + F_r_star_rho*P_23 + F_r_star_u*PW_2 + F_r_star_v_star*P_2)
-        PW_3 = P_20 + P_32 + P_31*steer
-        FP_0_3 = (F_v_star_K*P_27 + F_v_star_eta*P_29 + F_v_star_pi1*P_28) + (F_v_star_r_star*P_12 + F_v_star_rho*P_30 + F_v_star_u*PW_3 + F_v_star_v_star*P_3)
-        FP_1_3 = (F_r_star_K*P_27 + F_r_star_eta*P_29 + F_r_star_pi1*P_28) + (F_r_star_r_star*P_12 + F_r_star_rho*P_30 + F_r_star_u*PW_3 + F_r_star_v_star*P_3)
-        PW_4 = P_21 + P_38 + P_37*steer
-        FP_0_4 = (F_v_star_K*P_28 + F_v_star_eta*P_35 + F_v_star_pi1*P_34) + (F_v_star_r_star*P_13 + F_v_star_rho*P_36 + F_v_star_u*PW_4 + F_v_star_v_star*P_4)
-        FP_1_4 = (F_r_star_K*P_28 + F_r_star_eta*P_35 + F_r_star_pi1*P_34) + (F_r_star_r_star*P_13 + F_r_star_rho*P_36 + F_r_star_u*PW_4 + F_r_star_v_star*P_4)
-        PW_5 = P_22 + P_43 + P_42*steer
-        FP_0_5 = (F_v_star_K*P_29 + F_v_star_eta*P_40 + F_v_star_pi1*P_35) + (F_v_star_r_star*P_14 + F_v_star_rho*P_41 + F_v_star_u*PW_5 + F_v_star_v_star*P_5)
-        FP_1_5 = (F_r_star_K*P_29 + F_r_star_eta*P_40 + F_r_star_pi1*P_35) + (F_r_star_r_star*P_14 + F_r_star_rho*P_41 + F_r_star_u*PW_5 + F_r_star_v_star*P_5)
-        PW_6 = P_23 + P_47 + P_46*steer
-        FP_0_6 = (F_v_star_K*P_30 + F_v_star_eta*P_41 + F_v_star_pi1*P_36) + (F_v_star_r_star*P_15 + F_v_star_rho*P_45 + F_v_star_u*PW_6 + F_v_star_v_star*P_6)
-        FP_1_6 = (F_r_star_K*P_30 + F_r_star_eta*P_41 + F_r_star_pi1*P_36) + (F_r_star_r_star*P_15 + F_r_star_rho*P_45 + F_r_star_u*PW_6 + F_r_star_v_star*P_6)
-        PW_7 = P_24 + P_50 + P_49*steer
-        FP_0_7 = (F_v_star_K*P_31 + F_v_star_eta*P_42 + F_v_star_pi1*P_37) + (F_v_star_r_star*P_16 + F_v_star_rho*P_46 + F_v_star_u*PW_7 + F_v_star_v_star*P_7)
-        FP_1_7 = (F_r_star_K*P_31 + F_r_star_eta*P_42 + F_r_star_pi1*P_37) + (F_r_star_r_star*P_16 + F_r_star_rho*P_46 + F_r_star_u*PW_7 + F_r_star_v_star*P_7)
-        PW_8 = P_25 + P_52 + P_50*steer
-        FP_0_8 = (F_v_star_K*P_32 + F_v_star_eta*P_43 + F_v_star_pi1*P_38) + (F_v_star_r_star*P_17 + F_v_star_rho*P_47 + F_v_star_u*PW_8 + F_v_star_v_star*P_8)
-        FP_1_8 = (F_r_star_K*P_32 + F_r_star_eta*P_43 + F_r_star_pi1*P_38) + (F_r_star_r_star*P_17 + F_r_star_rho*P_47 + F_r_star_u*PW_8 + F_r_star_v_star*P_8)
-        PW_9 = P_26 + P_53 + P_51*steer
-        FP_0_9 = (F_v_star_K*P_33 + F_v_star_eta*P_44 + F_v_star_pi1*P_39) + (F_v_star_r_star*P_18 + F_v_star_rho*P_48 + F_v_star_u*PW_9 + F_v_star_v_star*P_9)
-        FP_1_9 = (F_r_star_K*P_33 + F_r_star_eta*P_44 + F_r_star_pi1*P_39) + (F_r_star_r_star*P_18 + F_r_star_rho*P_48 + F_r_star_u*PW_9 + F_r_star_v_star*P_9)
-        WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer
-        P_0 = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0)
-        P_1 = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0)
+        FP_0_2 = F_v_star_K*P_20 + F_v_star_eta*P_22 + F_v_star_pi1*P_21 + F_v_star_r_star*P_11 + F_v_star_rho*P_23 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
+        FP_1_2 = F_r_star_K*P_20 + F_r_star_eta*P_22 + F_r_star_pi1*P_21 + F_r_star_r_star*P_11 + F_r_star_rho*P_23 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
         P_2 = FP_0_2*keep_w
-        P_3 = FP_0_3
-        P_4 = FP_0_4
-        P_5 = FP_0_5
-        P_6 = FP_0_6
-        P_7 = FP_0_7
-        P_8 = FP_0_8
-        P_9 = FP_0_9
-        WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer
-        P_10 = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1)
         P_11 = FP_1_2*keep_w
+        PW_3 = P_20 + P_32 + P_31*steer
+        FP_0_3 = F_v_star_K*P_27 + F_v_star_eta*P_29 + F_v_star_pi1*P_28 + F_v_star_r_star*P_12 + F_v_star_rho*P_30 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
+        FP_1_3 = F_r_star_K*P_27 + F_r_star_eta*P_29 + F_r_star_pi1*P_28 + F_r_star_r_star*P_12 + F_r_star_rho*P_30 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
+        P_3 = FP_0_3
         P_12 = FP_1_3
+        P_0 = P_0 + FP_0_3*F_v_star_K
+        P_1 = P_1 + FP_0_3*F_r_star_K
+        P_10 = P_10 + FP_1_3*F_r_star_K
+        PW_4 = P_21 + P_38 + P_37*steer
+        FP_0_4 = F_v_star_K*P_28 + F_v_star_eta*P_35 + F_v_star_pi1*P_34 + F_v_star_r_star*P_13 + F_v_star_rho*P_36 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
+        FP_1_4 = F_r_star_K*P_28 + F_r_star_eta*P_35 + F_r_star_pi1*P_34 + F_r_star_r_star*P_13 + F_r_star_rho*P_36 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
+        P_4 = FP_0_4
         P_13 = FP_1_4
+        P_0 = P_0 + FP_0_4*F_v_star_pi1
+        P_1 = P_1 + FP_0_4*F_r_star_pi1
+        P_10 = P_10 + FP_1_4*F_r_star_pi1
+        PW_5 = P_22 + P_43 + P_42*steer
+        FP_0_5 = F_v_star_K*P_29 + F_v_star_eta*P_40 + F_v_star_pi1*P_35 + F_v_star_r_star*P_14 + F_v_star_rho*P_41 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
+        FP_1_5 = F_r_star_K*P_29 + F_r_star_eta*P_40 + F_r_star_pi1*P_35 + F_r_star_r_star*P_14 + F_r_star_rho*P_41 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
+        P_5 = FP_0_5
         P_14 = FP_1_5
+        P_0 = P_0 + FP_0_5*F_v_star_eta
+        P_1 = P_1 + FP_0_5*F_r_star_eta
+        P_10 = P_10 + FP_1_5*F_r_star_eta
+        PW_6 = P_23 + P_47 + P_46*steer
+        FP_0_6 = F_v_star_K*P_30 + F_v_star_eta*P_41 + F_v_star_pi1*P_36 + F_v_star_r_star*P_15 + F_v_star_rho*P_45 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
+        FP_1_6 = F_r_star_K*P_30 + F_r_star_eta*P_41 + F_r_star_pi1*P_36 + F_r_star_r_star*P_15 + F_r_star_rho*P_45 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
+        P_6 = FP_0_6
         P_15 = FP_1_6
+        P_0 = P_0 + FP_0_6*F_v_star_rho
+        P_1 = P_1 + FP_0_6*F_r_star_rho
+        P_10 = P_10 + FP_1_6*F_r_star_rho
+        PW_7 = P_24 + P_50 + P_49*steer
+        FP_0_7 = F_v_star_K*P_31 + F_v_star_eta*P_42 + F_v_star_pi1*P_37 + F_v_star_r_star*P_16 + F_v_star_rho*P_46 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
+        FP_1_7 = F_r_star_K*P_31 + F_r_star_eta*P_42 + F_r_star_pi1*P_37 + F_r_star_r_star*P_16 + F_r_star_rho*P_46 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
+        P_7 = FP_0_7
         P_16 = FP_1_7
+        PW_8 = P_25 + P_52 + P_50*steer
+        FP_0_8 = F_v_star_K*P_32 + F_v_star_eta*P_43 + F_v_star_pi1*P_38 + F_v_star_r_star*P_17 + F_v_star_rho*P_47 + F_v_star_u*PW_8 + F_v_star_v_star*P_8
+        FP_1_8 = F_r_star_K*P_32 + F_r_star_eta*P_43 + F_r_star_pi1*P_38 + F_r_star_r_star*P_17 + F_r_star_rho*P_47 + F_r_star_u*PW_8 + F_r_star_v_star*P_8
+        P_8 = FP_0_8
         P_17 = FP_1_8
+        PW_9 = P_26 + P_53 + P_51*steer
+        FP_0_9 = F_v_star_K*P_33 + F_v_star_eta*P_44 + F_v_star_pi1*P_39 + F_v_star_r_star*P_18 + F_v_star_rho*P_48 + F_v_star_u*PW_9 + F_v_star_v_star*P_9
+        FP_1_9 = F_r_star_K*P_33 + F_r_star_eta*P_44 + F_r_star_pi1*P_39 + F_r_star_r_star*P_18 + F_r_star_rho*P_48 + F_r_star_u*PW_9 + F_r_star_v_star*P_9
+        P_9 = FP_0_9
         P_18 = FP_1_9
+        WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer
+        WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer
+        P_0 = P_0 + F_v_star_u*WPF_0
+        P_1 = P_1 + F_r_star_u*WPF_0
+        P_10 = P_10 + F_r_star_u*WPF_1
         P_19 = P_19*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
         P_20 = P_20*keep_w
         P_21 = P_21*keep_w
@@ -735,15 +744,8 @@ def step(config, state, sample):
         validity_square = (validity_now*validity_now)
         validity = (validity_square if (validity_square) > (validity_then) else validity_then)
         if usable > 0.5:  # measurement
-            c_0 = P_9 + P_1*output_scale
             c_1 = P_18 + P_10*output_scale
-            c_2 = P_26 + P_11*output_scale
             c_3 = P_33 + P_12*output_scale
-            c_4 = P_39 + P_13*output_scale
-            c_5 = P_44 + P_14*output_scale
-            c_6 = P_48 + P_15*output_scale
-            c_7 = P_51 + P_16*output_scale
-            c_8 = P_53 + P_17*output_scale
             c_9 = P_54 + P_18*output_scale
             innovation = measured - predicted
             innovation_variance = c_9 + noise + c_1*output_scale
@@ -755,34 +757,47 @@ def step(config, state, sample):
             sensitivity = c_3*inv_P  # of the output to ln K
             excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
-            surprise = surprise + (((9.0 if (9.0) < (nis) else nis) if validity < (validity_limit*validity_limit) else 1.0) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
+            linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
+            odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
+            surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = (1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate) if validity < (validity_limit*validity_limit) else 1.0)
-            told = (inv_spread*sensitivity if validity < (validity_limit*validity_limit) else 0.0)
+            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
+            told = inv_spread*linear*sensitivity
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_27*heard)  # little is no evidence
-            doubt = ((score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough) if validity < (validity_limit*validity_limit) else 0.0)
+            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
-            jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))
+            rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
+            either = (doubt if (doubt) > (rise) else rise)
+            jump = (0.0 if (0.0) > (either) else either)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
             if learn_seldom > 0.0:
                 unlearnt = 0.0
+            gain_3 = c_3*learn
+            gained = c_3*gain_3*inv_P  # share of the variance removed
+            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
+            score = score - gain_3*heard*innovation  # at the estimate as it is now
+            move = move + gain_3*innovation
+            c_0 = P_9 + P_1*output_scale
+            c_2 = P_26 + P_11*output_scale
+            c_4 = P_39 + P_13*output_scale
+            c_5 = P_44 + P_14*output_scale
+            c_6 = P_48 + P_15*output_scale
+            c_7 = P_51 + P_16*output_scale
+            c_8 = P_53 + P_17*output_scale
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
-            gain_3 = c_3*learn
             gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
             gain_7 = c_7*learn_slow
             gain_8 = c_8*inv_spread
             gain_9 = c_9*inv_spread
-            gained = c_3*gain_3*inv_P  # share of the variance removed
-            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
             P_0 = P_0 - c_0*gain_0
             P_1 = P_1 - c_1*gain_0
             P_2 = P_2 - c_2*gain_0
@@ -841,8 +856,6 @@ def step(config, state, sample):
             v_star = v_star + gain_0*innovation
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
-            move = move + gain_3*innovation
             pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
             above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
@@ -859,7 +872,7 @@ def step(config, state, sample):
             input_offset = input_offset + gain_8*innovation
             output_bias = output_bias + gain_9*innovation
             settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
-            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(0.05 if (0.05) < (dt*settling) else dt*settling)
+            noise_change = odd*(0.05 if (0.05) < (dt*settling) else dt*settling)
             noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
             noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
             noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
@@ -876,14 +889,39 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
-            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
-            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
-            input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
-            if usable > 0.5:
-                status = 3.0
+        hit = 0.0
+        if K < K_low:
+            K = K_low
+            hit = 1.0
+        if K > K_high:
+            K = K_high
+            hit = 1.0
+        if pi1 < pi1_low:
+            pi1 = pi1_low
+            hit = 1.0
+        if pi1 > pi1_high:
+            pi1 = pi1_high
+            hit = 1.0
+        if eta < eta_low:
+            eta = eta_low
+            hit = 1.0
+        if eta > eta_high:
+            eta = eta_high
+            hit = 1.0
+        if rho < rho_low:
+            rho = rho_low
+            hit = 1.0
+        if rho > rho_high:
+            rho = rho_high
+            hit = 1.0
+        if input_scale < input_scale_low:
+            input_scale = input_scale_low
+            hit = 1.0
+        if input_scale > input_scale_high:
+            input_scale = input_scale_high
+            hit = 1.0
+        if (hit > 0.5) and (usable > 0.5):  # prior +- its allowed range
+            status = 3.0
         noise_now = noise
         disturbance_now = disturbance_scale*w_nominal
         last_input = u_now

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 3117
+OPERATIONS = 3021
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'bank', 'push', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 
@@ -674,6 +674,7 @@ def step(config, state, sample):
     estimate = 0.0
     eta_now = 0.0
     grip_now = 0.0
+    hit = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
@@ -700,19 +701,21 @@ def step(config, state, sample):
         usable = 1.0
         anew = 0.0  # 1 where the dynamic state starts anew
         age = age + dt
-        if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
+        if abs(input) < input_limit:  # a missing one is held
             u_now = input
         else:
             u_now = last_input
             usable = 0.0
             status = 4.0
-        if (U < signal_limit) and (U > (-signal_limit)):  # a missing one is held
+        if abs(U) < signal_limit:  # a missing one is held
             U_now = U
         else:
             U_now = last_U
             usable = 0.0
             status = 4.0
-        if not ((measured < output_limit) and (measured > (-output_limit))):  # no measurement
+        if abs(measured) < output_limit:  # no measurement
+            pass
+        else:
             usable = 0.0
             status = 4.0
         if started < 0.5:  # no sample before it could be used
@@ -832,78 +835,73 @@ def step(config, state, sample):
         part3 = (1.0/(1.0 + over3*size3))
         c0 = (inv_U*inv_U)
         c1 = (at_U*at_U)
-        c2 = L*bank + L*push
-        c3 = load0*over0*part0
-        c4 = load2*over2*part2
+        c2 = load0*over0*part0
+        c3 = load2*over2*part2
+        c4 = L*bank + L*push
         c5 = L*c0
         c6 = c5*grip
         c7 = c6*inv1
         c8 = load1*over1*part1
         c9 = load3*over3*part3
-        c10 = c5*(load1*over1*part1*pi1 - c8 - c9*pi1)
-        c11 = inv1*(c8 - c9)
-        c12 = c11*c6
+        c10 = c9*pi1
+        c11 = c8 - c9
+        c12 = c11*c7
         c13 = (part0*part0)
         c14 = 1.0 + size0*(2.0 + 2.1*size0)
-        c15 = K*inv0*inv_L
-        c16 = c15*inv2
-        c17 = c13*c14*c16
-        c18 = c17*pi1
-        c19 = (-c18)
-        c20 = eta*(part2*part2)*(1.0 + size2*(2.0 + 2.1*size2))
-        c21 = c16*c20
-        c22 = 0.16666666666666666*h
-        c23 = c15*c20
-        c24 = c22*c7
-        c25 = inv2*inv_L
-        c26 = c25*inv0
-        c27 = v_star_plain + pi1*r_star_plain
-        c28 = c27 - u_plain
-        c29 = (part1*part1)
-        c30 = 1.0 + size1*(2.0 + 2.1*size1)
-        c31 = c29*c30
-        c32 = c28*c31
-        c33 = c26*c32
-        c34 = (part3*part3)*(1.0 + size3*(2.0 + 2.1*size3))
-        c35 = eta*(c27 - r_star_plain)
-        c36 = c34*c35
-        c37 = c26*c36
-        c38 = c15*(inv2*inv2)
-        c39 = K*inv0*inv2*inv_L*r_star_plain - c28*c38
-        c40 = c31*c39
-        c41 = c34*(K*eta*inv0*inv2*inv_L*r_star_plain - c35*c38)
-        c42 = K*c25
-        c43 = c42*c5
-        c44 = c43*inv1
-        c45 = c42*(inv0*inv0)
-        c46 = c32*c45
-        c47 = c36*c45
-        f_v_star = (-c0*(c1*r_star - c2)) - c6*(load0*over0*part0*pi1 - c3 - c4*pi1)  # rate [-]
-        f_r_star = c7*(c3 - c4)  # rate [-]
-        f_v_star_plain = (-c0*(c1*r_star_plain - c2)) - c10*grip
+        c15 = c13*c14
+        c16 = eta*(part2*part2)*(1.0 + size2*(2.0 + 2.1*size2))
+        c17 = 0.16666666666666666*h
+        c18 = K*inv_L
+        c19 = c18*inv2
+        c20 = c19*c5
+        c21 = c16 - c13*c14*inv2*pi1
+        c22 = c18*pi1
+        c23 = c20*inv1
+        c24 = c18*c5*inv1
+        c25 = v_star_plain + pi1*r_star_plain
+        c26 = c25 - u_plain
+        c27 = (part1*part1)
+        c28 = 1.0 + size1*(2.0 + 2.1*size1)
+        c29 = c27*c28
+        c30 = c26*c29
+        c31 = (-r_star_plain)
+        c32 = c25 + c31
+        c33 = eta*(part3*part3)*(1.0 + size3*(2.0 + 2.1*size3))
+        c34 = c32*c33
+        c35 = c30 + c34*pi1 - c26*c27*c28*pi1
+        c36 = c34 - c30
+        c37 = (-c8)
+        c38 = (-c31) - c26*inv2
+        c39 = c19*inv0
+        c40 = c32*inv2
+        c41 = c33*((-c31) - c40)
+        c42 = c33*c40
+        f_v_star = (-c0*(c1*r_star + L*grip*(load0*over0*part0*pi1 - c2 - c3*pi1) - c4))  # rate [-]
+        f_r_star = c7*(c2 - c3)  # rate [-]
+        f_v_star_plain = (-c0*(c1*r_star_plain + L*grip*(load1*over1*part1*pi1 - c10 - c8) - c4))
         f_r_star_plain = c12
-        J_00 = (-c22*c6*((-c17) - c19 - c21*pi1))
-        J_01 = c22*((-c0*c1) - c6*(K*c13*c14*inv0*inv2*inv_L*(pi1*pi1) - c18 - c23*pi1))
-        J_10 = c24*(c17 - c21)
-        J_11 = c24*((-c19) - c23)
-        f_v_star_K = (-K*c6*(c28*c29*c30*inv0*inv2*inv_L*pi1 - c33 - c37*pi1))
-        f_r_star_K = K*c7*(c33 - c37)
-        f_v_star_pi1 = (-c6*(c8 + c29*c30*c39*pi1 - c40 - c9 - c41*pi1))
-        f_r_star_pi1 = c7*(c40 - c41)
-        f_v_star_eta = c36*c43*pi1
-        f_r_star_eta = (-c36*c44)
+        J_00 = (-c17*c20*(c13*c14*pi1 - c15 - c16*pi1))
+        J_01 = (-c0*c17*(c1 + L*c22*((-c21) - c15*inv2)))
+        J_10 = c17*c23*(c15 - c16)
+        J_11 = (-c17*c21*c24)
+        f_v_star_K = c20*c35
+        f_r_star_K = (-c23*c36)
+        f_v_star_pi1 = (-c6*(K*c27*c28*c38*inv0*inv2*inv_L*pi1 - c37 - c9 - c29*c38*c39 - c22*c41*inv0*inv2))
+        f_r_star_pi1 = c23*(c27*c28*c38 - c41)
+        f_v_star_eta = c22*c42*c5
+        f_r_star_eta = (-c24*c42)
         f_v_star_rho = 0.0
         f_r_star_rho = (-c12)
-        f_v_star_grip = grip*((-c10) - c6*(c46 + c47*pi1 - c46*pi1))
-        f_r_star_grip = grip*(c11*c5 + c7*(c47 - c46))
+        f_v_star_grip = (-c6*(c37 + c35*c39 + c8*pi1 - c10))
+        f_r_star_grip = c7*(c11 + c36*c39)
         f_v_star_place = 0.0
         f_r_star_place = 0.0
         f_v_star_bank = c5
         f_r_star_bank = 0.0
         f_v_star_push = c5
         f_r_star_push = 0.0
-        f_v_star_u = (-c6*(K*c29*c30*inv0*inv2*inv_L - c16*c31*pi1))
-        f_r_star_u = (-c31*c44)
+        f_v_star_u = (-c20*c29*(1.0 - pi1))
+        f_r_star_u = (-c23*c29)
         p0 = J_00*J_11 - J_01*J_10
         p1 = (-J_00) - J_11
         n0 = 1.0 - 1.5*p0
@@ -999,81 +997,108 @@ def step(config, state, sample):
         F_r_star_v_star = M_10*ratio_v_star
         F_r_star_r_star = M_11*ratio_r_star
         PW_0 = P_12 + P_2 + P_11*steer
-        FP_0_0 = (F_v_star_K*P_3 + F_v_star_bank*P_9 + F_v_star_eta*P_5 + F_v_star_grip*P_7 + F_v_star_pi1*P_4) + (F_v_star_place*P_8 + F_v_star_push*P_10 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0)
-        FP_1_0 = (F_r_star_K*P_3 + F_r_star_bank*P_9 + F_r_star_eta*P_5 + F_r_star_grip*P_7 + F_r_star_pi1*P_4) + (F_r_star_place*P_8 + F_r_star_push*P_10 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0)
+        FP_0_0 = F_v_star_K*P_3 + F_v_star_bank*P_9 + F_v_star_eta*P_5 + F_v_star_grip*P_7 + F_v_star_pi1*P_4 + F_v_star_place*P_8 + F_v_star_push*P_10 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
+        FP_1_0 = F_r_star_K*P_3 + F_r_star_bank*P_9 + F_r_star_eta*P_5 + F_r_star_grip*P_7 + F_r_star_pi1*P_4 + F_r_star_place*P_8 + F_r_star_push*P_10 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
         PW_1 = P_16 + P_26 + P_25*steer
-        FP_0_1 = (F_v_star_K*P_17 + F_v_star_bank*P_23 + F_v_star_eta*P_19 + F_v_star_grip*P_21 + F_v_star_pi1*P_18) + (F_v_star_place*P_22 + F_v_star_push*P_24 + F_v_star_r_star*P_15 + F_v_star_rho*P_20 + F_v_star_u*PW_1 + F_v_star_v_star*P_1)
-        FP_1_1 = (F_r_star_K*P_17 + F_r_star_bank*P_23 + F_r_star_eta*P_19 + F_r_star_grip*P_21 + F_r_star_pi1*P_18) + (F_r_star_place*P_22 + F_r_star_push*P_24 + F_r_star_r_star*P_15 + F_r_star_rho*P_20 + F_r_star_u*PW_1 + F_r_star_v_star*P_1)
+        FP_0_1 = F_v_star_K*P_17 + F_v_star_bank*P_23 + F_v_star_eta*P_19 + F_v_star_grip*P_21 + F_v_star_pi1*P_18 + F_v_star_place*P_22 + F_v_star_push*P_24 + F_v_star_r_star*P_15 + F_v_star_rho*P_20 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
+        FP_1_1 = F_r_star_K*P_17 + F_r_star_bank*P_23 + F_r_star_eta*P_19 + F_r_star_grip*P_21 + F_r_star_pi1*P_18 + F_r_star_place*P_22 + F_r_star_push*P_24 + F_r_star_r_star*P_15 + F_r_star_rho*P_20 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
+        P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star
+        P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star
+        P_15 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star
         PW_2 = P_29 + P_39 + P_38*steer
-        FP_0_2 = (F_v_star_K*P_30 + F_v_star_bank*P_36 + F_v_star_eta*P_32 + F_v_star_grip*P_34 + F_v_star_pi1*P_31) + (F_v_star_place*P_35 + F_v_star_push*P_37 + F_v_star_r_star*P_16 + F_v_star_rho*P_33 + F_v_star_u*PW_2 + F_v_star_v_star*P_2)
-        FP_1_2 = (F_r_star_K*P_30 + F_r_star_bank*P_36 + F_r_star_eta*P_32 + F_r_star_grip*P_34 + F_r_star_pi1*P_31) + (F_r_star_place*P_35 + F_r_star_push*P_37 + F_r_star_r_star*P_16 + F_r_star_rho*P_33 + F_r_star_u*PW_2 + F_r_star_v_star*P_2)
-        PW_3 = P_30 + P_51 + P_50*steer
-        FP_0_3 = (F_v_star_K*P_42 + F_v_star_bank*P_48 + F_v_star_eta*P_44 + F_v_star_grip*P_46 + F_v_star_pi1*P_43) + (F_v_star_place*P_47 + F_v_star_push*P_49 + F_v_star_r_star*P_17 + F_v_star_rho*P_45 + F_v_star_u*PW_3 + F_v_star_v_star*P_3)
-        FP_1_3 = (F_r_star_K*P_42 + F_r_star_bank*P_48 + F_r_star_eta*P_44 + F_r_star_grip*P_46 + F_r_star_pi1*P_43) + (F_r_star_place*P_47 + F_r_star_push*P_49 + F_r_star_r_star*P_17 + F_r_star_rho*P_45 + F_r_star_u*PW_3 + F_r_star_v_star*P_3)
-        PW_4 = P_31 + P_62 + P_61*steer
-        FP_0_4 = (F_v_star_K*P_43 + F_v_star_bank*P_59 + F_v_star_eta*P_55 + F_v_star_grip*P_57 + F_v_star_pi1*P_54) + (F_v_star_place*P_58 + F_v_star_push*P_60 + F_v_star_r_star*P_18 + F_v_star_rho*P_56 + F_v_star_u*PW_4 + F_v_star_v_star*P_4)
-        FP_1_4 = (F_r_star_K*P_43 + F_r_star_bank*P_59 + F_r_star_eta*P_55 + F_r_star_grip*P_57 + F_r_star_pi1*P_54) + (F_r_star_place*P_58 + F_r_star_push*P_60 + F_r_star_r_star*P_18 + F_r_star_rho*P_56 + F_r_star_u*PW_4 + F_r_star_v_star*P_4)
-        PW_5 = P_32 + P_72 + P_71*steer
-        FP_0_5 = (F_v_star_K*P_44 + F_v_star_bank*P_69 + F_v_star_eta*P_65 + F_v_star_grip*P_67 + F_v_star_pi1*P_55) + (F_v_star_place*P_68 + F_v_star_push*P_70 + F_v_star_r_star*P_19 + F_v_star_rho*P_66 + F_v_star_u*PW_5 + F_v_star_v_star*P_5)
-        FP_1_5 = (F_r_star_K*P_44 + F_r_star_bank*P_69 + F_r_star_eta*P_65 + F_r_star_grip*P_67 + F_r_star_pi1*P_55) + (F_r_star_place*P_68 + F_r_star_push*P_70 + F_r_star_r_star*P_19 + F_r_star_rho*P_66 + F_r_star_u*PW_5 + F_r_star_v_star*P_5)
-        PW_6 = P_33 + P_81 + P_80*steer
-        FP_0_6 = (F_v_star_K*P_45 + F_v_star_bank*P_78 + F_v_star_eta*P_66 + F_v_star_grip*P_76 + F_v_star_pi1*P_56) + (F_v_star_place*P_77 + F_v_star_push*P_79 + F_v_star_r_star*P_20 + F_v_star_rho*P_75 + F_v_star_u*PW_6 + F_v_star_v_star*P_6)
-        FP_1_6 = (F_r_star_K*P_45 + F_r_star_bank*P_78 + F_r_star_eta*P_66 + F_r_star_grip*P_76 + F_r_star_pi1*P_56) + (F_r_star_place*P_77 + F_r_star_push*P_79 + F_r_star_r_star*P_20 + F_r_star_rho*P_75 + F_r_star_u*PW_6 + F_r_star_v_star*P_6)
-        PW_7 = P_34 + P_89 + P_88*steer
-        FP_0_7 = (F_v_star_K*P_46 + F_v_star_bank*P_86 + F_v_star_eta*P_67 + F_v_star_grip*P_84 + F_v_star_pi1*P_57) + (F_v_star_place*P_85 + F_v_star_push*P_87 + F_v_star_r_star*P_21 + F_v_star_rho*P_76 + F_v_star_u*PW_7 + F_v_star_v_star*P_7)
-        FP_1_7 = (F_r_star_K*P_46 + F_r_star_bank*P_86 + F_r_star_eta*P_67 + F_r_star_grip*P_84 + F_r_star_pi1*P_57) + (F_r_star_place*P_85 + F_r_star_push*P_87 + F_r_star_r_star*P_21 + F_r_star_rho*P_76 + F_r_star_u*PW_7 + F_r_star_v_star*P_7)
-        PW_8 = P_35 + P_96 + P_95*steer
-        FP_0_8 = (F_v_star_K*P_47 + F_v_star_bank*P_93 + F_v_star_eta*P_68 + F_v_star_grip*P_85 + F_v_star_pi1*P_58) + (F_v_star_place*P_92 + F_v_star_push*P_94 + F_v_star_r_star*P_22 + F_v_star_rho*P_77 + F_v_star_u*PW_8 + F_v_star_v_star*P_8)
-        FP_1_8 = (F_r_star_K*P_47 + F_r_star_bank*P_93 + F_r_star_eta*P_68 + F_r_star_grip*P_85 + F_r_star_pi1*P_58) + (F_r_star_place*P_92 + F_r_star_push*P_94 + F_r_star_r_star*P_22 + F_r_star_rho*P_77 + F_r_star_u*PW_8 + F_r_star_v_star*P_8)
-        PW_9 = P_102 + P_36 + P_101*steer
-        FP_0_9 = (F_v_star_K*P_48 + F_v_star_bank*P_99 + F_v_star_eta*P_69 + F_v_star_grip*P_86 + F_v_star_pi1*P_59) + (F_v_star_place*P_93 + F_v_star_push*P_100 + F_v_star_r_star*P_23 + F_v_star_rho*P_78 + F_v_star_u*PW_9 + F_v_star_v_star*P_9)
-        FP_1_9 = (F_r_star_K*P_48 + F_r_star_bank*P_99 + F_r_star_eta*P_69 + F_r_star_grip*P_86 + F_r_star_pi1*P_59) + (F_r_star_place*P_93 + F_r_star_push*P_100 + F_r_star_r_star*P_23 + F_r_star_rho*P_78 + F_r_star_u*PW_9 + F_r_star_v_star*P_9)
-        PW_10 = P_107 + P_37 + P_106*steer
-        FP_0_10 = (F_v_star_K*P_49 + F_v_star_bank*P_100 + F_v_star_eta*P_70 + F_v_star_grip*P_87 + F_v_star_pi1*P_60) + (F_v_star_place*P_94 + F_v_star_push*P_105 + F_v_star_r_star*P_24 + F_v_star_rho*P_79 + F_v_star_u*PW_10 + F_v_star_v_star*P_10)
-        FP_1_10 = (F_r_star_K*P_49 + F_r_star_bank*P_100 + F_r_star_eta*P_70 + F_r_star_grip*P_87 + F_r_star_pi1*P_60) + (F_r_star_place*P_94 + F_r_star_push*P_105 + F_r_star_r_star*P_24 + F_r_star_rho*P_79 + F_r_star_u*PW_10 + F_r_star_v_star*P_10)
-        PW_11 = P_111 + P_38 + P_110*steer
-        FP_0_11 = (F_v_star_K*P_50 + F_v_star_bank*P_101 + F_v_star_eta*P_71 + F_v_star_grip*P_88 + F_v_star_pi1*P_61) + (F_v_star_place*P_95 + F_v_star_push*P_106 + F_v_star_r_star*P_25 + F_v_star_rho*P_80 + F_v_star_u*PW_11 + F_v_star_v_star*P_11)
-        FP_1_11 = (F_r_star_K*P_50 + F_r_star_bank*P_101 + F_r_star_eta*P_71 + F_r_star_grip*P_88 + F_r_star_pi1*P_61) + (F_r_star_place*P_95 + F_r_star_push*P_106 + F_r_star_r_star*P_25 + F_r_star_rho*P_80 + F_r_star_u*PW_11 + F_r_star_v_star*P_11)
-        PW_12 = P_114 + P_39 + P_111*steer
-        FP_0_12 = (F_v_star_K*P_51 + F_v_star_bank*P_102 + F_v_star_eta*P_72 + F_v_star_grip*P_89 + F_v_star_pi1*P_62) + (F_v_star_place*P_96 + F_v_star_push*P_107 + F_v_star_r_star*P_26 + F_v_star_rho*P_81 + F_v_star_u*PW_12 + F_v_star_v_star*P_12)
-        FP_1_12 = (F_r_star_K*P_51 + F_r_star_bank*P_102 + F_r_star_eta*P_72 + F_r_star_grip*P_89 + F_r_star_pi1*P_62) + (F_r_star_place*P_96 + F_r_star_push*P_107 + F_r_star_r_star*P_26 + F_r_star_rho*P_81 + F_r_star_u*PW_12 + F_r_star_v_star*P_12)
-        PW_13 = P_115 + P_40 + P_112*steer
-        FP_0_13 = (F_v_star_K*P_52 + F_v_star_bank*P_103 + F_v_star_eta*P_73 + F_v_star_grip*P_90 + F_v_star_pi1*P_63) + (F_v_star_place*P_97 + F_v_star_push*P_108 + F_v_star_r_star*P_27 + F_v_star_rho*P_82 + F_v_star_u*PW_13 + F_v_star_v_star*P_13)
-        FP_1_13 = (F_r_star_K*P_52 + F_r_star_bank*P_103 + F_r_star_eta*P_73 + F_r_star_grip*P_90 + F_r_star_pi1*P_63) + (F_r_star_place*P_97 + F_r_star_push*P_108 + F_r_star_r_star*P_27 + F_r_star_rho*P_82 + F_r_star_u*PW_13 + F_r_star_v_star*P_13)
-        PW_14 = P_116 + P_41 + P_113*steer
-        FP_0_14 = (F_v_star_K*P_53 + F_v_star_bank*P_104 + F_v_star_eta*P_74 + F_v_star_grip*P_91 + F_v_star_pi1*P_64) + (F_v_star_place*P_98 + F_v_star_push*P_109 + F_v_star_r_star*P_28 + F_v_star_rho*P_83 + F_v_star_u*PW_14 + F_v_star_v_star*P_14)
-        FP_1_14 = (F_r_star_K*P_53 + F_r_star_bank*P_104 + F_r_star_eta*P_74 + F_r_star_grip*P_91 + F_r_star_pi1*P_64) + (F_r_star_place*P_98 + F_r_star_push*P_109 + F_r_star_r_star*P_28 + F_r_star_rho*P_83 + F_r_star_u*PW_14 + F_r_star_v_star*P_14)
-        WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer
-        P_0 = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_10*F_v_star_push + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + FP_0_8*F_v_star_place + FP_0_9*F_v_star_bank + F_v_star_u*WPF_0)
-        P_1 = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_10*F_r_star_push + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + FP_0_8*F_r_star_place + FP_0_9*F_r_star_bank + F_r_star_u*WPF_0)
+        FP_0_2 = F_v_star_K*P_30 + F_v_star_bank*P_36 + F_v_star_eta*P_32 + F_v_star_grip*P_34 + F_v_star_pi1*P_31 + F_v_star_place*P_35 + F_v_star_push*P_37 + F_v_star_r_star*P_16 + F_v_star_rho*P_33 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
+        FP_1_2 = F_r_star_K*P_30 + F_r_star_bank*P_36 + F_r_star_eta*P_32 + F_r_star_grip*P_34 + F_r_star_pi1*P_31 + F_r_star_place*P_35 + F_r_star_push*P_37 + F_r_star_r_star*P_16 + F_r_star_rho*P_33 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
         P_2 = FP_0_2*keep_w
-        P_3 = FP_0_3
-        P_4 = FP_0_4
-        P_5 = FP_0_5
-        P_6 = FP_0_6
-        P_7 = FP_0_7
-        P_8 = FP_0_8
-        P_9 = FP_0_9*keep_bank
-        P_10 = FP_0_10*keep_push
-        P_11 = FP_0_11
-        P_12 = FP_0_12
-        P_13 = FP_0_13
-        P_14 = FP_0_14
-        WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer
-        P_15 = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_10*F_r_star_push + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + FP_1_8*F_r_star_place + FP_1_9*F_r_star_bank + F_r_star_u*WPF_1)
         P_16 = FP_1_2*keep_w
+        PW_3 = P_30 + P_51 + P_50*steer
+        FP_0_3 = F_v_star_K*P_42 + F_v_star_bank*P_48 + F_v_star_eta*P_44 + F_v_star_grip*P_46 + F_v_star_pi1*P_43 + F_v_star_place*P_47 + F_v_star_push*P_49 + F_v_star_r_star*P_17 + F_v_star_rho*P_45 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
+        FP_1_3 = F_r_star_K*P_42 + F_r_star_bank*P_48 + F_r_star_eta*P_44 + F_r_star_grip*P_46 + F_r_star_pi1*P_43 + F_r_star_place*P_47 + F_r_star_push*P_49 + F_r_star_r_star*P_17 + F_r_star_rho*P_45 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
+        P_3 = FP_0_3
         P_17 = FP_1_3
+        P_0 = P_0 + FP_0_3*F_v_star_K
+        P_1 = P_1 + FP_0_3*F_r_star_K
+        P_15 = P_15 + FP_1_3*F_r_star_K
+        PW_4 = P_31 + P_62 + P_61*steer
+        FP_0_4 = F_v_star_K*P_43 + F_v_star_bank*P_59 + F_v_star_eta*P_55 + F_v_star_grip*P_57 + F_v_star_pi1*P_54 + F_v_star_place*P_58 + F_v_star_push*P_60 + F_v_star_r_star*P_18 + F_v_star_rho*P_56 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
+        FP_1_4 = F_r_star_K*P_43 + F_r_star_bank*P_59 + F_r_star_eta*P_55 + F_r_star_grip*P_57 + F_r_star_pi1*P_54 + F_r_star_place*P_58 + F_r_star_push*P_60 + F_r_star_r_star*P_18 + F_r_star_rho*P_56 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
+        P_4 = FP_0_4
         P_18 = FP_1_4
+        P_0 = P_0 + FP_0_4*F_v_star_pi1
+        P_1 = P_1 + FP_0_4*F_r_star_pi1
+        P_15 = P_15 + FP_1_4*F_r_star_pi1
+        PW_5 = P_32 + P_72 + P_71*steer
+        FP_0_5 = F_v_star_K*P_44 + F_v_star_bank*P_69 + F_v_star_eta*P_65 + F_v_star_grip*P_67 + F_v_star_pi1*P_55 + F_v_star_place*P_68 + F_v_star_push*P_70 + F_v_star_r_star*P_19 + F_v_star_rho*P_66 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
+        FP_1_5 = F_r_star_K*P_44 + F_r_star_bank*P_69 + F_r_star_eta*P_65 + F_r_star_grip*P_67 + F_r_star_pi1*P_55 + F_r_star_place*P_68 + F_r_star_push*P_70 + F_r_star_r_star*P_19 + F_r_star_rho*P_66 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
+        P_5 = FP_0_5
         P_19 = FP_1_5
+        P_0 = P_0 + FP_0_5*F_v_star_eta
+        P_1 = P_1 + FP_0_5*F_r_star_eta
+        P_15 = P_15 + FP_1_5*F_r_star_eta
+        PW_6 = P_33 + P_81 + P_80*steer
+        FP_0_6 = F_v_star_K*P_45 + F_v_star_bank*P_78 + F_v_star_eta*P_66 + F_v_star_grip*P_76 + F_v_star_pi1*P_56 + F_v_star_place*P_77 + F_v_star_push*P_79 + F_v_star_r_star*P_20 + F_v_star_rho*P_75 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
+        FP_1_6 = F_r_star_K*P_45 + F_r_star_bank*P_78 + F_r_star_eta*P_66 + F_r_star_grip*P_76 + F_r_star_pi1*P_56 + F_r_star_place*P_77 + F_r_star_push*P_79 + F_r_star_r_star*P_20 + F_r_star_rho*P_75 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
+        P_6 = FP_0_6
         P_20 = FP_1_6
+        P_0 = P_0 + FP_0_6*F_v_star_rho
+        P_1 = P_1 + FP_0_6*F_r_star_rho
+        P_15 = P_15 + FP_1_6*F_r_star_rho
+        PW_7 = P_34 + P_89 + P_88*steer
+        FP_0_7 = F_v_star_K*P_46 + F_v_star_bank*P_86 + F_v_star_eta*P_67 + F_v_star_grip*P_84 + F_v_star_pi1*P_57 + F_v_star_place*P_85 + F_v_star_push*P_87 + F_v_star_r_star*P_21 + F_v_star_rho*P_76 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
+        FP_1_7 = F_r_star_K*P_46 + F_r_star_bank*P_86 + F_r_star_eta*P_67 + F_r_star_grip*P_84 + F_r_star_pi1*P_57 + F_r_star_place*P_85 + F_r_star_push*P_87 + F_r_star_r_star*P_21 + F_r_star_rho*P_76 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
+        P_7 = FP_0_7
         P_21 = FP_1_7
+        P_0 = P_0 + FP_0_7*F_v_star_grip
+        P_1 = P_1 + FP_0_7*F_r_star_grip
+        P_15 = P_15 + FP_1_7*F_r_star_grip
+        PW_8 = P_35 + P_96 + P_95*steer
+        FP_0_8 = F_v_star_K*P_47 + F_v_star_bank*P_93 + F_v_star_eta*P_68 + F_v_star_grip*P_85 + F_v_star_pi1*P_58 + F_v_star_place*P_92 + F_v_star_push*P_94 + F_v_star_r_star*P_22 + F_v_star_rho*P_77 + F_v_star_u*PW_8 + F_v_star_v_star*P_8
+        FP_1_8 = F_r_star_K*P_47 + F_r_star_bank*P_93 + F_r_star_eta*P_68 + F_r_star_grip*P_85 + F_r_star_pi1*P_58 + F_r_star_place*P_92 + F_r_star_push*P_94 + F_r_star_r_star*P_22 + F_r_star_rho*P_77 + F_r_star_u*PW_8 + F_r_star_v_star*P_8
+        P_8 = FP_0_8
         P_22 = FP_1_8
+        P_0 = P_0 + FP_0_8*F_v_star_place
+        P_1 = P_1 + FP_0_8*F_r_star_place
+        P_15 = P_15 + FP_1_8*F_r_star_place
+        PW_9 = P_102 + P_36 + P_101*steer
+        FP_0_9 = F_v_star_K*P_48 + F_v_star_bank*P_99 + F_v_star_eta*P_69 + F_v_star_grip*P_86 + F_v_star_pi1*P_59 + F_v_star_place*P_93 + F_v_star_push*P_100 + F_v_star_r_star*P_23 + F_v_star_rho*P_78 + F_v_star_u*PW_9 + F_v_star_v_star*P_9
+        FP_1_9 = F_r_star_K*P_48 + F_r_star_bank*P_99 + F_r_star_eta*P_69 + F_r_star_grip*P_86 + F_r_star_pi1*P_59 + F_r_star_place*P_93 + F_r_star_push*P_100 + F_r_star_r_star*P_23 + F_r_star_rho*P_78 + F_r_star_u*PW_9 + F_r_star_v_star*P_9
+        P_9 = FP_0_9*keep_bank
         P_23 = FP_1_9*keep_bank
+        P_0 = P_0 + FP_0_9*F_v_star_bank
+        P_1 = P_1 + FP_0_9*F_r_star_bank
+        P_15 = P_15 + FP_1_9*F_r_star_bank
+        PW_10 = P_107 + P_37 + P_106*steer
+        FP_0_10 = F_v_star_K*P_49 + F_v_star_bank*P_100 + F_v_star_eta*P_70 + F_v_star_grip*P_87 + F_v_star_pi1*P_60 + F_v_star_place*P_94 + F_v_star_push*P_105 + F_v_star_r_star*P_24 + F_v_star_rho*P_79 + F_v_star_u*PW_10 + F_v_star_v_star*P_10
+        FP_1_10 = F_r_star_K*P_49 + F_r_star_bank*P_100 + F_r_star_eta*P_70 + F_r_star_grip*P_87 + F_r_star_pi1*P_60 + F_r_star_place*P_94 + F_r_star_push*P_105 + F_r_star_r_star*P_24 + F_r_star_rho*P_79 + F_r_star_u*PW_10 + F_r_star_v_star*P_10
+        P_10 = FP_0_10*keep_push
         P_24 = FP_1_10*keep_push
+        P_0 = P_0 + FP_0_10*F_v_star_push
+        P_1 = P_1 + FP_0_10*F_r_star_push
+        P_15 = P_15 + FP_1_10*F_r_star_push
+        PW_11 = P_111 + P_38 + P_110*steer
+        FP_0_11 = F_v_star_K*P_50 + F_v_star_bank*P_101 + F_v_star_eta*P_71 + F_v_star_grip*P_88 + F_v_star_pi1*P_61 + F_v_star_place*P_95 + F_v_star_push*P_106 + F_v_star_r_star*P_25 + F_v_star_rho*P_80 + F_v_star_u*PW_11 + F_v_star_v_star*P_11
+        FP_1_11 = F_r_star_K*P_50 + F_r_star_bank*P_101 + F_r_star_eta*P_71 + F_r_star_grip*P_88 + F_r_star_pi1*P_61 + F_r_star_place*P_95 + F_r_star_push*P_106 + F_r_star_r_star*P_25 + F_r_star_rho*P_80 + F_r_star_u*PW_11 + F_r_star_v_star*P_11
+        P_11 = FP_0_11
         P_25 = FP_1_11
+        PW_12 = P_114 + P_39 + P_111*steer
+        FP_0_12 = F_v_star_K*P_51 + F_v_star_bank*P_102 + F_v_star_eta*P_72 + F_v_star_grip*P_89 + F_v_star_pi1*P_62 + F_v_star_place*P_96 + F_v_star_push*P_107 + F_v_star_r_star*P_26 + F_v_star_rho*P_81 + F_v_star_u*PW_12 + F_v_star_v_star*P_12
+        FP_1_12 = F_r_star_K*P_51 + F_r_star_bank*P_102 + F_r_star_eta*P_72 + F_r_star_grip*P_89 + F_r_star_pi1*P_62 + F_r_star_place*P_96 + F_r_star_push*P_107 + F_r_star_r_star*P_26 + F_r_star_rho*P_81 + F_r_star_u*PW_12 + F_r_star_v_star*P_12
+        P_12 = FP_0_12
         P_26 = FP_1_12
+        PW_13 = P_115 + P_40 + P_112*steer
+        FP_0_13 = F_v_star_K*P_52 + F_v_star_bank*P_103 + F_v_star_eta*P_73 + F_v_star_grip*P_90 + F_v_star_pi1*P_63 + F_v_star_place*P_97 + F_v_star_push*P_108 + F_v_star_r_star*P_27 + F_v_star_rho*P_82 + F_v_star_u*PW_13 + F_v_star_v_star*P_13
+        FP_1_13 = F_r_star_K*P_52 + F_r_star_bank*P_103 + F_r_star_eta*P_73 + F_r_star_grip*P_90 + F_r_star_pi1*P_63 + F_r_star_place*P_97 + F_r_star_push*P_108 + F_r_star_r_star*P_27 + F_r_star_rho*P_82 + F_r_star_u*PW_13 + F_r_star_v_star*P_13
+        P_13 = FP_0_13
         P_27 = FP_1_13
+        PW_14 = P_116 + P_41 + P_113*steer
+        FP_0_14 = F_v_star_K*P_53 + F_v_star_bank*P_104 + F_v_star_eta*P_74 + F_v_star_grip*P_91 + F_v_star_pi1*P_64 + F_v_star_place*P_98 + F_v_star_push*P_109 + F_v_star_r_star*P_28 + F_v_star_rho*P_83 + F_v_star_u*PW_14 + F_v_star_v_star*P_14
+        FP_1_14 = F_r_star_K*P_53 + F_r_star_bank*P_104 + F_r_star_eta*P_74 + F_r_star_grip*P_91 + F_r_star_pi1*P_64 + F_r_star_place*P_98 + F_r_star_push*P_109 + F_r_star_r_star*P_28 + F_r_star_rho*P_83 + F_r_star_u*PW_14 + F_r_star_v_star*P_14
+        P_14 = FP_0_14
         P_28 = FP_1_14
+        WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer
+        WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer
+        P_0 = P_0 + F_v_star_u*WPF_0
+        P_1 = P_1 + F_r_star_u*WPF_0
+        P_15 = P_15 + F_r_star_u*WPF_1
         P_29 = P_29*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
         P_30 = P_30*keep_w
         P_31 = P_31*keep_w
@@ -1131,21 +1156,9 @@ def step(config, state, sample):
         validity_square = (validity_now*validity_now)
         validity = (validity_square if (validity_square) > (validity_then) else validity_then)
         if usable > 0.5:  # measurement
-            c_0 = P_13 + P_1*output_scale
             c_1 = P_27 + P_15*output_scale
-            c_2 = P_40 + P_16*output_scale
             c_3 = P_52 + P_17*output_scale
-            c_4 = P_63 + P_18*output_scale
-            c_5 = P_73 + P_19*output_scale
-            c_6 = P_82 + P_20*output_scale
-            c_7 = P_90 + P_21*output_scale
-            c_8 = P_97 + P_22*output_scale
-            c_9 = P_103 + P_23*output_scale
-            c_10 = P_108 + P_24*output_scale
-            c_11 = P_112 + P_25*output_scale
-            c_12 = P_115 + P_26*output_scale
             c_13 = P_117 + P_27*output_scale
-            c_14 = P_118 + P_28*output_scale
             innovation = measured - predicted
             innovation_variance = c_13 + noise + c_1*output_scale
             inv_spread = (1.0/innovation_variance)
@@ -1156,26 +1169,46 @@ def step(config, state, sample):
             sensitivity = c_3*inv_P  # of the output to ln K
             excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
-            surprise = surprise + (((9.0 if (9.0) < (nis) else nis) if validity < (validity_limit*validity_limit) else 1.0) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
+            linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
+            odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
+            surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = (1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate) if validity < (validity_limit*validity_limit) else 1.0)
-            told = (inv_spread*sensitivity if validity < (validity_limit*validity_limit) else 0.0)
+            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
+            told = inv_spread*linear*sensitivity
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_42*heard)  # little is no evidence
-            doubt = ((score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough) if validity < (validity_limit*validity_limit) else 0.0)
+            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
-            jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))
+            rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
+            either = (doubt if (doubt) > (rise) else rise)
+            jump = (0.0 if (0.0) > (either) else either)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
             if learn_seldom > 0.0:
                 unlearnt = 0.0
+            gain_3 = c_3*learn
+            gained = c_3*gain_3*inv_P  # share of the variance removed
+            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
+            score = score - gain_3*heard*innovation  # at the estimate as it is now
+            move = move + gain_3*innovation
+            c_0 = P_13 + P_1*output_scale
+            c_2 = P_40 + P_16*output_scale
+            c_4 = P_63 + P_18*output_scale
+            c_5 = P_73 + P_19*output_scale
+            c_6 = P_82 + P_20*output_scale
+            c_7 = P_90 + P_21*output_scale
+            c_8 = P_97 + P_22*output_scale
+            c_9 = P_103 + P_23*output_scale
+            c_10 = P_108 + P_24*output_scale
+            c_11 = P_112 + P_25*output_scale
+            c_12 = P_115 + P_26*output_scale
+            c_14 = P_118 + P_28*output_scale
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
-            gain_3 = c_3*learn
             gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
@@ -1187,8 +1220,6 @@ def step(config, state, sample):
             gain_12 = c_12*inv_spread
             gain_13 = c_13*inv_spread
             gain_14 = c_14*inv_spread
-            gained = c_3*gain_3*inv_P  # share of the variance removed
-            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
             P_0 = P_0 - c_0*gain_0
             P_1 = P_1 - c_1*gain_0
             P_2 = P_2 - c_2*gain_0
@@ -1312,8 +1343,6 @@ def step(config, state, sample):
             v_star = v_star + gain_0*innovation
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
-            move = move + gain_3*innovation
             pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
             above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
@@ -1338,7 +1367,7 @@ def step(config, state, sample):
             output_bias = output_bias + gain_13*innovation
             ay_bias = ay_bias + gain_14*innovation
             settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
-            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(0.05 if (0.05) < (dt*settling) else dt*settling)
+            noise_change = odd*(0.05 if (0.05) < (dt*settling) else dt*settling)
             noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
             noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
             noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
@@ -1352,7 +1381,7 @@ def step(config, state, sample):
                 status = 1.0
             if (status < 1.5) and (validity > (validity_limit*validity_limit)):
                 status = 2.0
-            if (ay_measured < ay_limit) and (ay_measured > (-ay_limit)):  # ay is measured too
+            if abs(ay_measured) < ay_limit:  # ay is measured too
                 ay_scale = inv_L*(at_U*at_U)  # ay = scale x dimensionless
                 ay_u = disturbance + input_offset + input_scale*u_now  # effective input at the end [-]
                 ay_u_plain = input_scale*u_now
@@ -1455,11 +1484,9 @@ def step(config, state, sample):
                 ay_c_6 = (P_83 + P_20*ay_by_r_star + P_33*ay_by_u + P_45*ay_by_K + P_56*ay_by_pi1 + P_6*ay_by_v_star) + (P_66*ay_by_eta + P_75*ay_by_rho + P_76*ay_by_grip + P_77*ay_by_place + P_79*ay_by_push + P_81*ay_by_u + P_80*ay_by_u*input_scale*u_now)
                 ay_c_7 = (P_91 + P_21*ay_by_r_star + P_34*ay_by_u + P_46*ay_by_K + P_57*ay_by_pi1 + P_67*ay_by_eta) + (P_7*ay_by_v_star + P_76*ay_by_rho + P_84*ay_by_grip + P_85*ay_by_place + P_87*ay_by_push + P_89*ay_by_u + P_88*ay_by_u*input_scale*u_now)
                 ay_c_8 = (P_98 + P_22*ay_by_r_star + P_35*ay_by_u + P_47*ay_by_K + P_58*ay_by_pi1 + P_68*ay_by_eta) + (P_77*ay_by_rho + P_8*ay_by_v_star + P_85*ay_by_grip + P_92*ay_by_place + P_94*ay_by_push + P_96*ay_by_u + P_95*ay_by_u*input_scale*u_now)
-                ay_c_9 = (P_104 + P_100*ay_by_push + P_102*ay_by_u + P_23*ay_by_r_star + P_36*ay_by_u + P_48*ay_by_K) + (P_59*ay_by_pi1 + P_69*ay_by_eta + P_78*ay_by_rho + P_86*ay_by_grip + P_9*ay_by_v_star + P_93*ay_by_place + P_101*ay_by_u*input_scale*u_now)
                 ay_c_10 = (P_109 + P_10*ay_by_v_star + P_105*ay_by_push + P_107*ay_by_u + P_24*ay_by_r_star + P_37*ay_by_u) + (P_49*ay_by_K + P_60*ay_by_pi1 + P_70*ay_by_eta + P_79*ay_by_rho + P_87*ay_by_grip + P_94*ay_by_place + P_106*ay_by_u*input_scale*u_now)
                 ay_c_11 = (P_113 + P_106*ay_by_push + P_11*ay_by_v_star + P_111*ay_by_u + P_25*ay_by_r_star + P_38*ay_by_u) + (P_50*ay_by_K + P_61*ay_by_pi1 + P_71*ay_by_eta + P_80*ay_by_rho + P_88*ay_by_grip + P_95*ay_by_place + P_110*ay_by_u*input_scale*u_now)
                 ay_c_12 = (P_116 + P_107*ay_by_push + P_114*ay_by_u + P_12*ay_by_v_star + P_26*ay_by_r_star + P_39*ay_by_u) + (P_51*ay_by_K + P_62*ay_by_pi1 + P_72*ay_by_eta + P_81*ay_by_rho + P_89*ay_by_grip + P_96*ay_by_place + P_111*ay_by_u*input_scale*u_now)
-                ay_c_13 = (P_118 + P_108*ay_by_push + P_115*ay_by_u + P_13*ay_by_v_star + P_27*ay_by_r_star + P_40*ay_by_u) + (P_52*ay_by_K + P_63*ay_by_pi1 + P_73*ay_by_eta + P_82*ay_by_rho + P_90*ay_by_grip + P_97*ay_by_place + P_112*ay_by_u*input_scale*u_now)
                 ay_c_14 = (P_119 + P_109*ay_by_push + P_116*ay_by_u + P_14*ay_by_v_star + P_28*ay_by_r_star + P_41*ay_by_u) + (P_53*ay_by_K + P_64*ay_by_pi1 + P_74*ay_by_eta + P_83*ay_by_rho + P_91*ay_by_grip + P_98*ay_by_place + P_113*ay_by_u*input_scale*u_now)
                 ay_innovation = ay_measured - ay_bias - ay_response - ay_by_K*move
                 ay_inv_spread = (1.0/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*input_scale*u_now)))
@@ -1469,10 +1496,17 @@ def step(config, state, sample):
                 ay_learn = (ay_inv_spread if learn > 0.0 else 0.0)  # where the first may learn
                 ay_learn_slow = (ay_inv_spread if learn_slow > 0.0 else 0.0)  # where the first may learn
                 ay_learn_seldom = (ay_inv_spread if learn_seldom > 0.0 else 0.0)  # where the first may learn
+                ay_gain_3 = ay_c_3*ay_learn
+                ay_inv_P = (1.0/P_42)
+                ay_gained = ay_c_3*ay_gain_3*ay_inv_P  # share of the variance removed
+                information = information + ay_gained*ay_inv_P*(1.0 + ay_gained)
+                score = score - ay_gain_3*ay_innovation*heard  # at the estimate as it is now
+                move = move + ay_gain_3*ay_innovation
+                ay_c_9 = (P_104 + P_100*ay_by_push + P_102*ay_by_u + P_23*ay_by_r_star + P_36*ay_by_u + P_48*ay_by_K) + (P_59*ay_by_pi1 + P_69*ay_by_eta + P_78*ay_by_rho + P_86*ay_by_grip + P_9*ay_by_v_star + P_93*ay_by_place + P_101*ay_by_u*input_scale*u_now)
+                ay_c_13 = (P_118 + P_108*ay_by_push + P_115*ay_by_u + P_13*ay_by_v_star + P_27*ay_by_r_star + P_40*ay_by_u) + (P_52*ay_by_K + P_63*ay_by_pi1 + P_73*ay_by_eta + P_82*ay_by_rho + P_90*ay_by_grip + P_97*ay_by_place + P_112*ay_by_u*input_scale*u_now)
                 ay_gain_0 = ay_c_0*ay_inv_spread
                 ay_gain_1 = ay_c_1*ay_inv_spread
                 ay_gain_2 = ay_c_2*ay_inv_spread
-                ay_gain_3 = ay_c_3*ay_learn
                 ay_gain_4 = ay_c_4*ay_learn_seldom
                 ay_gain_5 = ay_c_5*ay_learn_slow
                 ay_gain_6 = ay_c_6*ay_learn_slow
@@ -1484,9 +1518,6 @@ def step(config, state, sample):
                 ay_gain_12 = ay_c_12*ay_inv_spread
                 ay_gain_13 = ay_c_13*ay_inv_spread
                 ay_gain_14 = ay_c_14*ay_inv_spread
-                ay_inv_P = (1.0/P_42)
-                ay_gained = ay_c_3*ay_gain_3*ay_inv_P  # share of the variance removed
-                information = information + ay_gained*ay_inv_P*(1.0 + ay_gained)
                 P_0 = P_0 - ay_c_0*ay_gain_0
                 P_1 = P_1 - ay_c_1*ay_gain_0
                 P_2 = P_2 - ay_c_2*ay_gain_0
@@ -1610,8 +1641,6 @@ def step(config, state, sample):
                 v_star = v_star + ay_gain_0*ay_innovation
                 r_star = r_star + ay_gain_1*ay_innovation
                 disturbance = disturbance + ay_gain_2*ay_innovation
-                score = score - ay_gain_3*ay_innovation*heard  # at the estimate as it is now
-                move = move + ay_gain_3*ay_innovation
                 pi1 = pi1 + ay_gain_4*ay_innovation
                 ay_move_eta = ay_gain_5*ay_innovation
                 above_ay_move_eta = ((-1.0) if ((-1.0)) > (ay_move_eta) else ay_move_eta)
@@ -1642,18 +1671,63 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (bank < bank_low) or (bank > bank_high) or (eta < eta_low) or (eta > eta_high) or (grip < grip_low) or (grip > grip_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (place < place_low) or (place > place_high) or (push < push_low) or (push > push_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
-            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
-            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
-            grip = (grip_high if (grip_high) < ((grip if (grip) > (grip_low) else grip_low)) else (grip if (grip) > (grip_low) else grip_low))
-            place = (place_high if (place_high) < ((place if (place) > (place_low) else place_low)) else (place if (place) > (place_low) else place_low))
-            bank = (bank_high if (bank_high) < ((bank if (bank) > (bank_low) else bank_low)) else (bank if (bank) > (bank_low) else bank_low))
-            push = (push_high if (push_high) < ((push if (push) > (push_low) else push_low)) else (push if (push) > (push_low) else push_low))
-            input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
-            if usable > 0.5:
-                status = 3.0
+        hit = 0.0
+        if K < K_low:
+            K = K_low
+            hit = 1.0
+        if K > K_high:
+            K = K_high
+            hit = 1.0
+        if pi1 < pi1_low:
+            pi1 = pi1_low
+            hit = 1.0
+        if pi1 > pi1_high:
+            pi1 = pi1_high
+            hit = 1.0
+        if eta < eta_low:
+            eta = eta_low
+            hit = 1.0
+        if eta > eta_high:
+            eta = eta_high
+            hit = 1.0
+        if rho < rho_low:
+            rho = rho_low
+            hit = 1.0
+        if rho > rho_high:
+            rho = rho_high
+            hit = 1.0
+        if grip < grip_low:
+            grip = grip_low
+            hit = 1.0
+        if grip > grip_high:
+            grip = grip_high
+            hit = 1.0
+        if place < place_low:
+            place = place_low
+            hit = 1.0
+        if place > place_high:
+            place = place_high
+            hit = 1.0
+        if bank < bank_low:
+            bank = bank_low
+            hit = 1.0
+        if bank > bank_high:
+            bank = bank_high
+            hit = 1.0
+        if push < push_low:
+            push = push_low
+            hit = 1.0
+        if push > push_high:
+            push = push_high
+            hit = 1.0
+        if input_scale < input_scale_low:
+            input_scale = input_scale_low
+            hit = 1.0
+        if input_scale > input_scale_high:
+            input_scale = input_scale_high
+            hit = 1.0
+        if (hit > 0.5) and (usable > 0.5):  # prior +- its allowed range
+            status = 3.0
         noise_now = noise
         disturbance_now = disturbance_scale*w_nominal
         last_input = u_now

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'saturating_bicycle_population'
-OPERATIONS = 1470
+OPERATIONS = 1388
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'input_scale', 'input_offset', 'output_bias')
 
@@ -456,6 +456,7 @@ def step(config, state, sample):
     estimate = 0.0
     eta_now = 0.0
     grip_now = 0.0
+    hit = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
@@ -480,19 +481,21 @@ def step(config, state, sample):
         usable = 1.0
         anew = 0.0  # 1 where the dynamic state starts anew
         age = age + dt
-        if (input < input_limit) and (input > (-input_limit)):  # a missing one is held
+        if abs(input) < input_limit:  # a missing one is held
             u_now = input
         else:
             u_now = last_input
             usable = 0.0
             status = 4.0
-        if (U < signal_limit) and (U > (-signal_limit)):  # a missing one is held
+        if abs(U) < signal_limit:  # a missing one is held
             U_now = U
         else:
             U_now = last_U
             usable = 0.0
             status = 4.0
-        if not ((measured < output_limit) and (measured > (-output_limit))):  # no measurement
+        if abs(measured) < output_limit:  # no measurement
+            pass
+        else:
             usable = 0.0
             status = 4.0
         if started < 0.5:  # no sample before it could be used
@@ -605,64 +608,60 @@ def step(config, state, sample):
         c4 = c3*inv1
         c5 = load1*over1*part1
         c6 = load3*over3*part3
-        c7 = c2*(load1*over1*part1*pi1 - c5 - c6*pi1)
-        c8 = inv1*(c5 - c6)
-        c9 = c3*c8
+        c7 = c6*pi1
+        c8 = c5 - c6
+        c9 = c4*c8
         c10 = (part0*part0)
         c11 = 1.0 + size0*(2.0 + 2.1*size0)
-        c12 = K*inv0*inv_L
-        c13 = c12*inv2
-        c14 = c10*c11*c13
-        c15 = c14*pi1
-        c16 = (-c15)
-        c17 = eta*(part2*part2)*(1.0 + size2*(2.0 + 2.1*size2))
-        c18 = c13*c17
-        c19 = 0.16666666666666666*h
-        c20 = c12*c17
-        c21 = c19*c4
-        c22 = inv2*inv_L
-        c23 = c22*inv0
-        c24 = v_star_plain + pi1*r_star_plain
-        c25 = c24 - u_plain
-        c26 = (part1*part1)
-        c27 = 1.0 + size1*(2.0 + 2.1*size1)
-        c28 = c26*c27
-        c29 = c25*c28
-        c30 = c23*c29
-        c31 = (part3*part3)*(1.0 + size3*(2.0 + 2.1*size3))
-        c32 = eta*(c24 - r_star_plain)
-        c33 = c31*c32
-        c34 = c23*c33
-        c35 = c12*(inv2*inv2)
-        c36 = K*inv0*inv2*inv_L*r_star_plain - c25*c35
-        c37 = c28*c36
-        c38 = c31*(K*eta*inv0*inv2*inv_L*r_star_plain - c32*c35)
-        c39 = K*c22
-        c40 = c2*c39
-        c41 = c40*inv1
-        c42 = c39*(inv0*inv0)
-        c43 = c29*c42
-        c44 = c33*c42
+        c12 = c10*c11
+        c13 = eta*(part2*part2)*(1.0 + size2*(2.0 + 2.1*size2))
+        c14 = 0.16666666666666666*h
+        c15 = K*inv_L
+        c16 = c15*inv2
+        c17 = c16*c2
+        c18 = c13 - c10*c11*inv2*pi1
+        c19 = c15*c2
+        c20 = c19*pi1
+        c21 = c17*inv1
+        c22 = c19*inv1
+        c23 = v_star_plain + pi1*r_star_plain
+        c24 = c23 - u_plain
+        c25 = (part1*part1)
+        c26 = 1.0 + size1*(2.0 + 2.1*size1)
+        c27 = c25*c26
+        c28 = c24*c27
+        c29 = (-r_star_plain)
+        c30 = c23 + c29
+        c31 = eta*(part3*part3)*(1.0 + size3*(2.0 + 2.1*size3))
+        c32 = c30*c31
+        c33 = c28 + c32*pi1 - c24*c25*c26*pi1
+        c34 = c32 - c28
+        c35 = (-c5)
+        c36 = (-c29) - c24*inv2
+        c37 = c16*inv0
+        c38 = c30*inv2
+        c39 = c31*((-c29) - c38)
+        c40 = c31*c38
         f_v_star = (-r_star) - c3*(load0*over0*part0*pi1 - c0 - c1*pi1)  # rate [-]
         f_r_star = c4*(c0 - c1)  # rate [-]
-        f_v_star_plain = (-r_star_plain) - c7*grip
+        f_v_star_plain = (-r_star_plain) - c3*(load1*over1*part1*pi1 - c5 - c7)
         f_r_star_plain = c9
-        J_00 = (-c19*c3*((-c14) - c16 - c18*pi1))
-        J_01 = c19*((-1.0) - c3*(K*c10*c11*inv0*inv2*inv_L*(pi1*pi1) - c15 - c20*pi1))
-        J_10 = c21*(c14 - c18)
-        J_11 = c21*((-c16) - c20)
-        f_v_star_K = (-K*c3*(c25*c26*c27*inv0*inv2*inv_L*pi1 - c30 - c34*pi1))
-        f_r_star_K = K*c4*(c30 - c34)
-        f_v_star_pi1 = (-c3*(c5 + c26*c27*c36*pi1 - c37 - c6 - c38*pi1))
-        f_r_star_pi1 = c4*(c37 - c38)
-        f_v_star_eta = c33*c40*pi1
-        f_r_star_eta = (-c33*c41)
+        J_00 = (-c14*c17*(c10*c11*pi1 - c12 - c13*pi1))
+        J_01 = (-c14*(1.0 + c20*((-c18) - c12*inv2)))
+        J_10 = c14*c21*(c12 - c13)
+        J_11 = (-c14*c18*c22)
+        f_v_star_K = c17*c33
+        f_r_star_K = (-c21*c34)
+        f_v_star_pi1 = (-c3*(K*c25*c26*c36*inv0*inv2*inv_L*pi1 - c35 - c6 - c27*c36*c37 - c37*c39*pi1))
+        f_r_star_pi1 = c21*(c25*c26*c36 - c39)
+        f_v_star_eta = c20*c40
+        f_r_star_eta = (-c22*c40)
         f_v_star_rho = 0.0
         f_r_star_rho = (-c9)
-        f_v_star_grip = grip*((-c7) - c3*(c43 + c44*pi1 - c43*pi1))
-        f_r_star_grip = grip*(c2*c8 + c4*(c44 - c43))
-        f_v_star_u = (-c3*(K*c26*c27*inv0*inv2*inv_L - c13*c28*pi1))
-        f_r_star_u = (-c28*c41)
+        f_v_star_grip = (-c3*(c35 + c33*c37 + c5*pi1 - c7))
+        f_r_star_grip = c4*(c8 + c34*c37)
+        f_v_star_u = (-c17*c27*(1.0 - pi1))
+        f_r_star_u = (-c21*c27)
         p0 = J_00*J_11 - J_01*J_10
         p1 = (-J_00) - J_11
         n0 = 1.0 - 1.5*p0
@@ -746,61 +745,79 @@ def step(config, state, sample):
         F_r_star_v_star = M_10*ratio_v_star
         F_r_star_r_star = M_11*ratio_r_star
         PW_0 = P_2 + P_9 + P_8*steer
-        FP_0_0 = (F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_grip*P_7 + F_v_star_pi1*P_4) + (F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0)
-        FP_1_0 = (F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_grip*P_7 + F_r_star_pi1*P_4) + (F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0)
+        FP_0_0 = F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_grip*P_7 + F_v_star_pi1*P_4 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
+        FP_1_0 = F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_grip*P_7 + F_r_star_pi1*P_4 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
         PW_1 = P_12 + P_19 + P_18*steer
-        FP_0_1 = (F_v_star_K*P_13 + F_v_star_eta*P_15 + F_v_star_grip*P_17 + F_v_star_pi1*P_14) + (F_v_star_r_star*P_11 + F_v_star_rho*P_16 + F_v_star_u*PW_1 + F_v_star_v_star*P_1)
-        FP_1_1 = (F_r_star_K*P_13 + F_r_star_eta*P_15 + F_r_star_grip*P_17 + F_r_star_pi1*P_14) + (F_r_star_r_star*P_11 + F_r_star_rho*P_16 + F_r_star_u*PW_1 + F_r_star_v_star*P_1)
+        FP_0_1 = F_v_star_K*P_13 + F_v_star_eta*P_15 + F_v_star_grip*P_17 + F_v_star_pi1*P_14 + F_v_star_r_star*P_11 + F_v_star_rho*P_16 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
+        FP_1_1 = F_r_star_K*P_13 + F_r_star_eta*P_15 + F_r_star_grip*P_17 + F_r_star_pi1*P_14 + F_r_star_r_star*P_11 + F_r_star_rho*P_16 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
+        P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star
+        P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star
+        P_11 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star
         PW_2 = P_21 + P_28 + P_27*steer
-        FP_0_2 = (F_v_star_K*P_22 + F_v_star_eta*P_24 + F_v_star_grip*P_26 + F_v_star_pi1*P_23) + (F_v_star_r_star*P_12 + F_v_star_rho*P_25 + F_v_star_u*PW_2 + F_v_star_v_star*P_2)
-        FP_1_2 = (F_r_star_K*P_22 + F_r_star_eta*P_24 + F_r_star_grip*P_26 + F_r_star_pi1*P_23) + (F_r_star_r_star*P_12 + F_r_star_rho*P_25 + F_r_star_u*PW_2 + F_r_star_v_star*P_2)
-        PW_3 = P_22 + P_36 + P_35*steer
-        FP_0_3 = (F_v_star_K*P_30 + F_v_star_eta*P_32 + F_v_star_grip*P_34 + F_v_star_pi1*P_31) + (F_v_star_r_star*P_13 + F_v_star_rho*P_33 + F_v_star_u*PW_3 + F_v_star_v_star*P_3)
-        FP_1_3 = (F_r_star_K*P_30 + F_r_star_eta*P_32 + F_r_star_grip*P_34 + F_r_star_pi1*P_31) + (F_r_star_r_star*P_13 + F_r_star_rho*P_33 + F_r_star_u*PW_3 + F_r_star_v_star*P_3)
-        PW_4 = P_23 + P_43 + P_42*steer
-        FP_0_4 = (F_v_star_K*P_31 + F_v_star_eta*P_39 + F_v_star_grip*P_41 + F_v_star_pi1*P_38) + (F_v_star_r_star*P_14 + F_v_star_rho*P_40 + F_v_star_u*PW_4 + F_v_star_v_star*P_4)
-        FP_1_4 = (F_r_star_K*P_31 + F_r_star_eta*P_39 + F_r_star_grip*P_41 + F_r_star_pi1*P_38) + (F_r_star_r_star*P_14 + F_r_star_rho*P_40 + F_r_star_u*PW_4 + F_r_star_v_star*P_4)
-        PW_5 = P_24 + P_49 + P_48*steer
-        FP_0_5 = (F_v_star_K*P_32 + F_v_star_eta*P_45 + F_v_star_grip*P_47 + F_v_star_pi1*P_39) + (F_v_star_r_star*P_15 + F_v_star_rho*P_46 + F_v_star_u*PW_5 + F_v_star_v_star*P_5)
-        FP_1_5 = (F_r_star_K*P_32 + F_r_star_eta*P_45 + F_r_star_grip*P_47 + F_r_star_pi1*P_39) + (F_r_star_r_star*P_15 + F_r_star_rho*P_46 + F_r_star_u*PW_5 + F_r_star_v_star*P_5)
-        PW_6 = P_25 + P_54 + P_53*steer
-        FP_0_6 = (F_v_star_K*P_33 + F_v_star_eta*P_46 + F_v_star_grip*P_52 + F_v_star_pi1*P_40) + (F_v_star_r_star*P_16 + F_v_star_rho*P_51 + F_v_star_u*PW_6 + F_v_star_v_star*P_6)
-        FP_1_6 = (F_r_star_K*P_33 + F_r_star_eta*P_46 + F_r_star_grip*P_52 + F_r_star_pi1*P_40) + (F_r_star_r_star*P_16 + F_r_star_rho*P_51 + F_r_star_u*PW_6 + F_r_star_v_star*P_6)
-        PW_7 = P_26 + P_58 + P_57*steer
-        FP_0_7 = (F_v_star_K*P_34 + F_v_star_eta*P_47 + F_v_star_grip*P_56 + F_v_star_pi1*P_41) + (F_v_star_r_star*P_17 + F_v_star_rho*P_52 + F_v_star_u*PW_7 + F_v_star_v_star*P_7)
-        FP_1_7 = (F_r_star_K*P_34 + F_r_star_eta*P_47 + F_r_star_grip*P_56 + F_r_star_pi1*P_41) + (F_r_star_r_star*P_17 + F_r_star_rho*P_52 + F_r_star_u*PW_7 + F_r_star_v_star*P_7)
-        PW_8 = P_27 + P_61 + P_60*steer
-        FP_0_8 = (F_v_star_K*P_35 + F_v_star_eta*P_48 + F_v_star_grip*P_57 + F_v_star_pi1*P_42) + (F_v_star_r_star*P_18 + F_v_star_rho*P_53 + F_v_star_u*PW_8 + F_v_star_v_star*P_8)
-        FP_1_8 = (F_r_star_K*P_35 + F_r_star_eta*P_48 + F_r_star_grip*P_57 + F_r_star_pi1*P_42) + (F_r_star_r_star*P_18 + F_r_star_rho*P_53 + F_r_star_u*PW_8 + F_r_star_v_star*P_8)
-        PW_9 = P_28 + P_63 + P_61*steer
-        FP_0_9 = (F_v_star_K*P_36 + F_v_star_eta*P_49 + F_v_star_grip*P_58 + F_v_star_pi1*P_43) + (F_v_star_r_star*P_19 + F_v_star_rho*P_54 + F_v_star_u*PW_9 + F_v_star_v_star*P_9)
-        FP_1_9 = (F_r_star_K*P_36 + F_r_star_eta*P_49 + F_r_star_grip*P_58 + F_r_star_pi1*P_43) + (F_r_star_r_star*P_19 + F_r_star_rho*P_54 + F_r_star_u*PW_9 + F_r_star_v_star*P_9)
-        PW_10 = P_29 + P_64 + P_62*steer
-        FP_0_10 = (F_v_star_K*P_37 + F_v_star_eta*P_50 + F_v_star_grip*P_59 + F_v_star_pi1*P_44) + (F_v_star_r_star*P_20 + F_v_star_rho*P_55 + F_v_star_u*PW_10 + F_v_star_v_star*P_10)
-        FP_1_10 = (F_r_star_K*P_37 + F_r_star_eta*P_50 + F_r_star_grip*P_59 + F_r_star_pi1*P_44) + (F_r_star_r_star*P_20 + F_r_star_rho*P_55 + F_r_star_u*PW_10 + F_r_star_v_star*P_10)
-        WPF_0 = FP_0_2 + FP_0_9 + FP_0_8*steer
-        P_0 = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + F_v_star_u*WPF_0)
-        P_1 = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + F_r_star_u*WPF_0)
+        FP_0_2 = F_v_star_K*P_22 + F_v_star_eta*P_24 + F_v_star_grip*P_26 + F_v_star_pi1*P_23 + F_v_star_r_star*P_12 + F_v_star_rho*P_25 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
+        FP_1_2 = F_r_star_K*P_22 + F_r_star_eta*P_24 + F_r_star_grip*P_26 + F_r_star_pi1*P_23 + F_r_star_r_star*P_12 + F_r_star_rho*P_25 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
         P_2 = FP_0_2*keep_w
-        P_3 = FP_0_3
-        P_4 = FP_0_4
-        P_5 = FP_0_5
-        P_6 = FP_0_6
-        P_7 = FP_0_7
-        P_8 = FP_0_8
-        P_9 = FP_0_9
-        P_10 = FP_0_10
-        WPF_1 = FP_1_2 + FP_1_9 + FP_1_8*steer
-        P_11 = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + F_r_star_u*WPF_1)
         P_12 = FP_1_2*keep_w
+        PW_3 = P_22 + P_36 + P_35*steer
+        FP_0_3 = F_v_star_K*P_30 + F_v_star_eta*P_32 + F_v_star_grip*P_34 + F_v_star_pi1*P_31 + F_v_star_r_star*P_13 + F_v_star_rho*P_33 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
+        FP_1_3 = F_r_star_K*P_30 + F_r_star_eta*P_32 + F_r_star_grip*P_34 + F_r_star_pi1*P_31 + F_r_star_r_star*P_13 + F_r_star_rho*P_33 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
+        P_3 = FP_0_3
         P_13 = FP_1_3
+        P_0 = P_0 + FP_0_3*F_v_star_K
+        P_1 = P_1 + FP_0_3*F_r_star_K
+        P_11 = P_11 + FP_1_3*F_r_star_K
+        PW_4 = P_23 + P_43 + P_42*steer
+        FP_0_4 = F_v_star_K*P_31 + F_v_star_eta*P_39 + F_v_star_grip*P_41 + F_v_star_pi1*P_38 + F_v_star_r_star*P_14 + F_v_star_rho*P_40 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
+        FP_1_4 = F_r_star_K*P_31 + F_r_star_eta*P_39 + F_r_star_grip*P_41 + F_r_star_pi1*P_38 + F_r_star_r_star*P_14 + F_r_star_rho*P_40 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
+        P_4 = FP_0_4
         P_14 = FP_1_4
+        P_0 = P_0 + FP_0_4*F_v_star_pi1
+        P_1 = P_1 + FP_0_4*F_r_star_pi1
+        P_11 = P_11 + FP_1_4*F_r_star_pi1
+        PW_5 = P_24 + P_49 + P_48*steer
+        FP_0_5 = F_v_star_K*P_32 + F_v_star_eta*P_45 + F_v_star_grip*P_47 + F_v_star_pi1*P_39 + F_v_star_r_star*P_15 + F_v_star_rho*P_46 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
+        FP_1_5 = F_r_star_K*P_32 + F_r_star_eta*P_45 + F_r_star_grip*P_47 + F_r_star_pi1*P_39 + F_r_star_r_star*P_15 + F_r_star_rho*P_46 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
+        P_5 = FP_0_5
         P_15 = FP_1_5
+        P_0 = P_0 + FP_0_5*F_v_star_eta
+        P_1 = P_1 + FP_0_5*F_r_star_eta
+        P_11 = P_11 + FP_1_5*F_r_star_eta
+        PW_6 = P_25 + P_54 + P_53*steer
+        FP_0_6 = F_v_star_K*P_33 + F_v_star_eta*P_46 + F_v_star_grip*P_52 + F_v_star_pi1*P_40 + F_v_star_r_star*P_16 + F_v_star_rho*P_51 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
+        FP_1_6 = F_r_star_K*P_33 + F_r_star_eta*P_46 + F_r_star_grip*P_52 + F_r_star_pi1*P_40 + F_r_star_r_star*P_16 + F_r_star_rho*P_51 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
+        P_6 = FP_0_6
         P_16 = FP_1_6
+        P_0 = P_0 + FP_0_6*F_v_star_rho
+        P_1 = P_1 + FP_0_6*F_r_star_rho
+        P_11 = P_11 + FP_1_6*F_r_star_rho
+        PW_7 = P_26 + P_58 + P_57*steer
+        FP_0_7 = F_v_star_K*P_34 + F_v_star_eta*P_47 + F_v_star_grip*P_56 + F_v_star_pi1*P_41 + F_v_star_r_star*P_17 + F_v_star_rho*P_52 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
+        FP_1_7 = F_r_star_K*P_34 + F_r_star_eta*P_47 + F_r_star_grip*P_56 + F_r_star_pi1*P_41 + F_r_star_r_star*P_17 + F_r_star_rho*P_52 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
+        P_7 = FP_0_7
         P_17 = FP_1_7
+        P_0 = P_0 + FP_0_7*F_v_star_grip
+        P_1 = P_1 + FP_0_7*F_r_star_grip
+        P_11 = P_11 + FP_1_7*F_r_star_grip
+        PW_8 = P_27 + P_61 + P_60*steer
+        FP_0_8 = F_v_star_K*P_35 + F_v_star_eta*P_48 + F_v_star_grip*P_57 + F_v_star_pi1*P_42 + F_v_star_r_star*P_18 + F_v_star_rho*P_53 + F_v_star_u*PW_8 + F_v_star_v_star*P_8
+        FP_1_8 = F_r_star_K*P_35 + F_r_star_eta*P_48 + F_r_star_grip*P_57 + F_r_star_pi1*P_42 + F_r_star_r_star*P_18 + F_r_star_rho*P_53 + F_r_star_u*PW_8 + F_r_star_v_star*P_8
+        P_8 = FP_0_8
         P_18 = FP_1_8
+        PW_9 = P_28 + P_63 + P_61*steer
+        FP_0_9 = F_v_star_K*P_36 + F_v_star_eta*P_49 + F_v_star_grip*P_58 + F_v_star_pi1*P_43 + F_v_star_r_star*P_19 + F_v_star_rho*P_54 + F_v_star_u*PW_9 + F_v_star_v_star*P_9
+        FP_1_9 = F_r_star_K*P_36 + F_r_star_eta*P_49 + F_r_star_grip*P_58 + F_r_star_pi1*P_43 + F_r_star_r_star*P_19 + F_r_star_rho*P_54 + F_r_star_u*PW_9 + F_r_star_v_star*P_9
+        P_9 = FP_0_9
         P_19 = FP_1_9
+        PW_10 = P_29 + P_64 + P_62*steer
+        FP_0_10 = F_v_star_K*P_37 + F_v_star_eta*P_50 + F_v_star_grip*P_59 + F_v_star_pi1*P_44 + F_v_star_r_star*P_20 + F_v_star_rho*P_55 + F_v_star_u*PW_10 + F_v_star_v_star*P_10
+        FP_1_10 = F_r_star_K*P_37 + F_r_star_eta*P_50 + F_r_star_grip*P_59 + F_r_star_pi1*P_44 + F_r_star_r_star*P_20 + F_r_star_rho*P_55 + F_r_star_u*PW_10 + F_r_star_v_star*P_10
+        P_10 = FP_0_10
         P_20 = FP_1_10
+        WPF_0 = FP_0_2 + FP_0_9 + FP_0_8*steer
+        WPF_1 = FP_1_2 + FP_1_9 + FP_1_8*steer
+        P_0 = P_0 + F_v_star_u*WPF_0
+        P_1 = P_1 + F_r_star_u*WPF_0
+        P_11 = P_11 + F_r_star_u*WPF_1
         P_21 = P_21*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
         P_22 = P_22*keep_w
         P_23 = P_23*keep_w
@@ -828,16 +845,8 @@ def step(config, state, sample):
         validity_square = (validity_now*validity_now)
         validity = (validity_square if (validity_square) > (validity_then) else validity_then)
         if usable > 0.5:  # measurement
-            c_0 = P_10 + P_1*output_scale
             c_1 = P_20 + P_11*output_scale
-            c_2 = P_29 + P_12*output_scale
             c_3 = P_37 + P_13*output_scale
-            c_4 = P_44 + P_14*output_scale
-            c_5 = P_50 + P_15*output_scale
-            c_6 = P_55 + P_16*output_scale
-            c_7 = P_59 + P_17*output_scale
-            c_8 = P_62 + P_18*output_scale
-            c_9 = P_64 + P_19*output_scale
             c_10 = P_65 + P_20*output_scale
             innovation = measured - predicted
             innovation_variance = c_10 + noise + c_1*output_scale
@@ -849,26 +858,42 @@ def step(config, state, sample):
             sensitivity = c_3*inv_P  # of the output to ln K
             excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
             excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
-            surprise = surprise + (((9.0 if (9.0) < (nis) else nis) if validity < (validity_limit*validity_limit) else 1.0) - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
+            linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
+            odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
+            surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = (1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate) if validity < (validity_limit*validity_limit) else 1.0)
-            told = (inv_spread*sensitivity if validity < (validity_limit*validity_limit) else 0.0)
+            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
+            told = inv_spread*linear*sensitivity
             heard = heard*keep_score + sensitivity*told  # information of late
             score = innovation*told + keep_score*score
             score_variance = prior_information + heard*(1.0 + P_30*heard)  # little is no evidence
-            doubt = ((score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough) if validity < (validity_limit*validity_limit) else 0.0)
+            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
-            jump = (doubt if (doubt) > ((surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0)) else (surprise - surprise_limit if ((above*above) > jump_ratio*restlessness) and ((surprise - surprise_limit) > 0.0) else 0.0))
+            rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
+            either = (doubt if (doubt) > (rise) else rise)
+            jump = (0.0 if (0.0) > (either) else either)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
             if learn_seldom > 0.0:
                 unlearnt = 0.0
+            gain_3 = c_3*learn
+            gained = c_3*gain_3*inv_P  # share of the variance removed
+            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
+            score = score - gain_3*heard*innovation  # at the estimate as it is now
+            move = move + gain_3*innovation
+            c_0 = P_10 + P_1*output_scale
+            c_2 = P_29 + P_12*output_scale
+            c_4 = P_44 + P_14*output_scale
+            c_5 = P_50 + P_15*output_scale
+            c_6 = P_55 + P_16*output_scale
+            c_7 = P_59 + P_17*output_scale
+            c_8 = P_62 + P_18*output_scale
+            c_9 = P_64 + P_19*output_scale
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
-            gain_3 = c_3*learn
             gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
@@ -876,8 +901,6 @@ def step(config, state, sample):
             gain_8 = c_8*learn_slow
             gain_9 = c_9*inv_spread
             gain_10 = c_10*inv_spread
-            gained = c_3*gain_3*inv_P  # share of the variance removed
-            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
             P_0 = P_0 - c_0*gain_0
             P_1 = P_1 - c_1*gain_0
             P_2 = P_2 - c_2*gain_0
@@ -947,8 +970,6 @@ def step(config, state, sample):
             v_star = v_star + gain_0*innovation
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
-            move = move + gain_3*innovation
             pi1 = pi1 + gain_4*innovation
             move_eta = gain_5*innovation
             above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
@@ -969,7 +990,7 @@ def step(config, state, sample):
             input_offset = input_offset + gain_9*innovation
             output_bias = output_bias + gain_10*innovation
             settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
-            noise_change = ((9.0 if (9.0) < (nis) else nis) - 1.0)*(0.05 if (0.05) < (dt*settling) else dt*settling)
+            noise_change = odd*(0.05 if (0.05) < (dt*settling) else dt*settling)
             noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
             noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
             noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
@@ -986,15 +1007,45 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (grip < grip_low) or (grip > grip_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
-            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
-            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
-            grip = (grip_high if (grip_high) < ((grip if (grip) > (grip_low) else grip_low)) else (grip if (grip) > (grip_low) else grip_low))
-            input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
-            if usable > 0.5:
-                status = 3.0
+        hit = 0.0
+        if K < K_low:
+            K = K_low
+            hit = 1.0
+        if K > K_high:
+            K = K_high
+            hit = 1.0
+        if pi1 < pi1_low:
+            pi1 = pi1_low
+            hit = 1.0
+        if pi1 > pi1_high:
+            pi1 = pi1_high
+            hit = 1.0
+        if eta < eta_low:
+            eta = eta_low
+            hit = 1.0
+        if eta > eta_high:
+            eta = eta_high
+            hit = 1.0
+        if rho < rho_low:
+            rho = rho_low
+            hit = 1.0
+        if rho > rho_high:
+            rho = rho_high
+            hit = 1.0
+        if grip < grip_low:
+            grip = grip_low
+            hit = 1.0
+        if grip > grip_high:
+            grip = grip_high
+            hit = 1.0
+        if input_scale < input_scale_low:
+            input_scale = input_scale_low
+            hit = 1.0
+        if input_scale > input_scale_high:
+            input_scale = input_scale_high
+            hit = 1.0
+        if (hit > 0.5) and (usable > 0.5):  # prior +- its allowed range
+            status = 3.0
         noise_now = noise
         disturbance_now = disturbance_scale*w_nominal
         last_input = u_now
