@@ -35,8 +35,8 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 WORKING = frozenset(
     "above above_move away cold bounded_move doubt either expected follow gained h i_det inv_P inv_det "
     "inv_dt inv_output_scale keep keep_score keep_w learn learn_seldom learn_slow least_scale "
-    "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise score_variance "
-    "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
+    "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise "
+    "score_variance seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
 )
 
@@ -103,7 +103,6 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         Field("status", "-", "status code"),
         Field("u_now", layout.input.unit, "input used now"),
         *(Field(f"{q.name}_now", q.unit, "scale used now") for q in layout.signals),
-        Field("hit", "-", "1 where an unknown is at its limit"),
         Field("anew", "-", "1 where the dynamic state starts anew"),
         Field("usable", "-", "1 where input, scale and measurement can be used"),
         Field("diffusion", "1/s", "diffusion of the first unknown now"),
@@ -358,16 +357,13 @@ def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
 def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
     lines: list[Statement] = []
-    limits = [(n, end) for n in layout.moving for end in ("low", "high")]
-    lines.append(Assign("hit", sp.Integer(0)))
-    for name, end in limits:
-        at, limit = S(name), S(f"{name}_{end}")
-        beyond = at < limit if end == "low" else at > limit
-        lines.append(When(beyond, (Assign(name, limit), Assign("hit", sp.Integer(1)))))
-    said = sp.And(S("hit") > sp.Rational(1, 2), S("usable") > sp.Rational(1, 2))
-    lines.append(
-        When(said, (Assign("status", sp.Integer(STATUS["at_limit"])),), (), "prior +- its allowed range")
-    )
+    hit = []
+    moving = layout.moving
+    for name in moving:
+        hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
+    clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
+    at_limit = When(S("usable") > sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
+    lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
     lines += _handed_out(
         layout,
         Assign("noise_now", S("noise")),

@@ -179,130 +179,52 @@ SIMILITUDE_API void bicycle_monitor_init(const bicycle_monitor_config *config, b
 {
     (void)config;
     bicycle_monitor_real *const P = state->P;
-    int i;
-    for (i = 0; i < 1; ++i) {
-        v_star_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        disturbance_held[i] = R(0.0);
-    }
-    for (i = 0; i < 6; ++i) {
-        P[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_plain[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_plain[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_miss_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_miss_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        disturbance_miss_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_miss_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_miss_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        disturbance_miss_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        K_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        pi1_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        eta_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        rho_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        input_offset_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        output_bias_held[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        size_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        evidence_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        age_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        weight_sum_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        score_sum_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        lately_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        side_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        piece_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        size_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        evidence_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        age_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        weight_sum_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        score_sum_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        lately_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        side_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        piece_rise[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        smooth_same[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        smooth_fall[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        smooth_rise[i] = R(0.0);
-    }
+    state->v_star_held = R(0.0);
+    state->r_star_held = R(0.0);
+    state->disturbance_held = R(0.0);
+    P[0] = R(0.0);
+    P[1] = R(0.0);
+    P[2] = R(0.0);
+    P[3] = R(0.0);
+    P[4] = R(0.0);
+    P[5] = R(0.0);
+    state->v_star_plain = R(0.0);
+    state->r_star_plain = R(0.0);
+    state->v_star_fall = R(0.0);
+    state->r_star_fall = R(0.0);
+    state->v_star_miss_fall = R(0.0);
+    state->r_star_miss_fall = R(0.0);
+    state->disturbance_miss_fall = R(0.0);
+    state->v_star_rise = R(0.0);
+    state->r_star_rise = R(0.0);
+    state->v_star_miss_rise = R(0.0);
+    state->r_star_miss_rise = R(0.0);
+    state->disturbance_miss_rise = R(0.0);
+    state->K_held = R(0.0);
+    state->pi1_held = R(0.0);
+    state->eta_held = R(0.0);
+    state->rho_held = R(0.0);
+    state->input_offset_held = R(0.0);
+    state->output_bias_held = R(0.0);
+    state->size_fall = R(0.0);
+    state->evidence_fall = R(0.0);
+    state->age_fall = R(0.0);
+    state->weight_sum_fall = R(0.0);
+    state->score_sum_fall = R(0.0);
+    state->lately_fall = R(0.0);
+    state->side_fall = R(0.0);
+    state->piece_fall = R(0.0);
+    state->size_rise = R(0.0);
+    state->evidence_rise = R(0.0);
+    state->age_rise = R(0.0);
+    state->weight_sum_rise = R(0.0);
+    state->score_sum_rise = R(0.0);
+    state->lately_rise = R(0.0);
+    state->side_rise = R(0.0);
+    state->piece_rise = R(0.0);
+    state->smooth_same = R(0.0);
+    state->smooth_fall = R(0.0);
+    state->smooth_rise = R(0.0);
     state->rough_same = R(1.0);
     state->rough_fall = R(1.0);
     state->rough_rise = R(1.0);

@@ -153,17 +153,8 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     bicycle_robust_real *const A = state->A;
     bicycle_robust_real *const q = state->q;
     int i;
-    for (i = 0; i < 5; ++i) {
-        input_stage[i] = R(0.0);
-    }
-    for (i = 0; i < 5; ++i) {
-        output_stage[i] = R(0.0);
-    }
     for (i = 0; i < 10; ++i) {
         A[i] = R(0.0);
-    }
-    for (i = 0; i < 4; ++i) {
-        q[i] = R(0.0);
     }
     state->K = config->K_start;
     state->input_gain = (-R(1.0)/(config->rho*(config->pi1 - R(1.0))));
@@ -175,7 +166,21 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     state->stage_share = config->corner*config->sample_time/((R(2.0) + config->corner*config->sample_time));
     state->input_offset = R(0.0);
     state->output_offset = R(0.0);
+    input_stage[0] = R(0.0);
+    input_stage[1] = R(0.0);
+    input_stage[2] = R(0.0);
+    input_stage[3] = R(0.0);
+    input_stage[4] = R(0.0);
+    output_stage[0] = R(0.0);
+    output_stage[1] = R(0.0);
+    output_stage[2] = R(0.0);
+    output_stage[3] = R(0.0);
+    output_stage[4] = R(0.0);
     state->scale_stage = config->U_least;
+    q[0] = R(0.0);
+    q[1] = R(0.0);
+    q[2] = R(0.0);
+    q[3] = R(0.0);
     state->yy = R(0.0);
     state->weight = R(0.0);
     state->excitation = R(0.0);

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 870 at most, 5 at least (arithmetic, comparisons, selects), init 5.
+ * Operations: step 893 at most, 5 at least (arithmetic, comparisons, selects), init 5.
  * Memory: state 62 reals, configuration 65 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -168,18 +168,12 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
 {
     bicycle_small_population_real *const P = state->P;
     int i;
-    for (i = 0; i < 1; ++i) {
-        v_star[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        disturbance[i] = R(0.0);
-    }
     for (i = 0; i < 36; ++i) {
         P[i] = R(0.0);
     }
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->disturbance = R(0.0);
     state->K = config->K_prior;
     state->pi1 = config->pi1_prior;
     state->eta = config->eta_prior;
@@ -395,7 +389,6 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     int anew = 0;
     bicycle_small_population_real diffusion = R(0.0);
     bicycle_small_population_real estimate = R(0.0);
-    int hit = 0;
     bicycle_small_population_real information_gained = R(0.0);
     bicycle_small_population_real innovation = R(0.0);
     bicycle_small_population_real innovation_variance = R(0.0);
@@ -672,41 +665,14 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_small_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        hit = 0;
-        if (state->K < config->K_low) {
-            state->K = config->K_low;
-            hit = 1;
-        }
-        if (state->K > config->K_high) {
-            state->K = config->K_high;
-            hit = 1;
-        }
-        if (state->pi1 < config->pi1_low) {
-            state->pi1 = config->pi1_low;
-            hit = 1;
-        }
-        if (state->pi1 > config->pi1_high) {
-            state->pi1 = config->pi1_high;
-            hit = 1;
-        }
-        if (state->eta < config->eta_low) {
-            state->eta = config->eta_low;
-            hit = 1;
-        }
-        if (state->eta > config->eta_high) {
-            state->eta = config->eta_high;
-            hit = 1;
-        }
-        if (state->rho < config->rho_low) {
-            state->rho = config->rho_low;
-            hit = 1;
-        }
-        if (state->rho > config->rho_high) {
-            state->rho = config->rho_high;
-            hit = 1;
-        }
-        if ((hit > 0) && (usable > 0)) { /* prior +- its allowed range */
-            status = 3;
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
+            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
+            if (usable > 0) {
+                status = 3;
+            }
         }
         state->last_input = u_now;
         state->last_U = U_now;

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3021 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Operations: step 3074 at most, 7 at least (arithmetic, comparisons, selects), init 8.
  * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -218,24 +218,14 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
     int i;
-    for (i = 0; i < 1; ++i) {
-        v_star[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        v_star_plain[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        r_star_plain[i] = R(0.0);
-    }
-    for (i = 0; i < 1; ++i) {
-        disturbance[i] = R(0.0);
-    }
     for (i = 0; i < 120; ++i) {
         P[i] = R(0.0);
     }
+    state->v_star = R(0.0);
+    state->r_star = R(0.0);
+    state->v_star_plain = R(0.0);
+    state->r_star_plain = R(0.0);
+    state->disturbance = R(0.0);
     state->K = config->K_prior;
     state->pi1 = config->pi1_prior;
     state->eta = config->eta_prior;
@@ -893,7 +883,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real estimate = R(0.0);
     bicycle_with_accelerometer_population_real eta_now = R(0.0);
     bicycle_with_accelerometer_population_real grip_now = R(0.0);
-    int hit = 0;
     bicycle_with_accelerometer_population_real information_gained = R(0.0);
     bicycle_with_accelerometer_population_real innovation = R(0.0);
     bicycle_with_accelerometer_population_real innovation_variance = R(0.0);
@@ -1430,81 +1419,19 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_with_accelerometer_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        hit = 0;
-        if (state->K < config->K_low) {
-            state->K = config->K_low;
-            hit = 1;
-        }
-        if (state->K > config->K_high) {
-            state->K = config->K_high;
-            hit = 1;
-        }
-        if (state->pi1 < config->pi1_low) {
-            state->pi1 = config->pi1_low;
-            hit = 1;
-        }
-        if (state->pi1 > config->pi1_high) {
-            state->pi1 = config->pi1_high;
-            hit = 1;
-        }
-        if (state->eta < config->eta_low) {
-            state->eta = config->eta_low;
-            hit = 1;
-        }
-        if (state->eta > config->eta_high) {
-            state->eta = config->eta_high;
-            hit = 1;
-        }
-        if (state->rho < config->rho_low) {
-            state->rho = config->rho_low;
-            hit = 1;
-        }
-        if (state->rho > config->rho_high) {
-            state->rho = config->rho_high;
-            hit = 1;
-        }
-        if (state->grip < config->grip_low) {
-            state->grip = config->grip_low;
-            hit = 1;
-        }
-        if (state->grip > config->grip_high) {
-            state->grip = config->grip_high;
-            hit = 1;
-        }
-        if (state->place < config->place_low) {
-            state->place = config->place_low;
-            hit = 1;
-        }
-        if (state->place > config->place_high) {
-            state->place = config->place_high;
-            hit = 1;
-        }
-        if (state->bank < config->bank_low) {
-            state->bank = config->bank_low;
-            hit = 1;
-        }
-        if (state->bank > config->bank_high) {
-            state->bank = config->bank_high;
-            hit = 1;
-        }
-        if (state->push < config->push_low) {
-            state->push = config->push_low;
-            hit = 1;
-        }
-        if (state->push > config->push_high) {
-            state->push = config->push_high;
-            hit = 1;
-        }
-        if (state->input_scale < config->input_scale_low) {
-            state->input_scale = config->input_scale_low;
-            hit = 1;
-        }
-        if (state->input_scale > config->input_scale_high) {
-            state->input_scale = config->input_scale_high;
-            hit = 1;
-        }
-        if ((hit > 0) && (usable > 0)) { /* prior +- its allowed range */
-            status = 3;
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->bank < config->bank_low) || (state->bank > config->bank_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->grip < config->grip_low) || (state->grip > config->grip_high) || (state->input_scale < config->input_scale_low) || (state->input_scale > config->input_scale_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->place < config->place_low) || (state->place > config->place_high) || (state->push < config->push_low) || (state->push > config->push_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
+            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
+            state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
+            state->place = ((config->place_high) < (((state->place) > (config->place_low) ? state->place : config->place_low)) ? config->place_high : ((state->place) > (config->place_low) ? state->place : config->place_low));
+            state->bank = ((config->bank_high) < (((state->bank) > (config->bank_low) ? state->bank : config->bank_low)) ? config->bank_high : ((state->bank) > (config->bank_low) ? state->bank : config->bank_low));
+            state->push = ((config->push_high) < (((state->push) > (config->push_low) ? state->push : config->push_low)) ? config->push_high : ((state->push) > (config->push_low) ? state->push : config->push_low));
+            state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
+            if (usable > 0) {
+                status = 3;
+            }
         }
         noise_now = noise;
         disturbance_now = state->disturbance_scale*w_nominal;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 3021
+OPERATIONS = 3074
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'bank', 'push', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 
@@ -674,7 +674,6 @@ def step(config, state, sample):
     estimate = 0.0
     eta_now = 0.0
     grip_now = 0.0
-    hit = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
@@ -1671,63 +1670,18 @@ def step(config, state, sample):
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        hit = 0.0
-        if K < K_low:
-            K = K_low
-            hit = 1.0
-        if K > K_high:
-            K = K_high
-            hit = 1.0
-        if pi1 < pi1_low:
-            pi1 = pi1_low
-            hit = 1.0
-        if pi1 > pi1_high:
-            pi1 = pi1_high
-            hit = 1.0
-        if eta < eta_low:
-            eta = eta_low
-            hit = 1.0
-        if eta > eta_high:
-            eta = eta_high
-            hit = 1.0
-        if rho < rho_low:
-            rho = rho_low
-            hit = 1.0
-        if rho > rho_high:
-            rho = rho_high
-            hit = 1.0
-        if grip < grip_low:
-            grip = grip_low
-            hit = 1.0
-        if grip > grip_high:
-            grip = grip_high
-            hit = 1.0
-        if place < place_low:
-            place = place_low
-            hit = 1.0
-        if place > place_high:
-            place = place_high
-            hit = 1.0
-        if bank < bank_low:
-            bank = bank_low
-            hit = 1.0
-        if bank > bank_high:
-            bank = bank_high
-            hit = 1.0
-        if push < push_low:
-            push = push_low
-            hit = 1.0
-        if push > push_high:
-            push = push_high
-            hit = 1.0
-        if input_scale < input_scale_low:
-            input_scale = input_scale_low
-            hit = 1.0
-        if input_scale > input_scale_high:
-            input_scale = input_scale_high
-            hit = 1.0
-        if (hit > 0.5) and (usable > 0.5):  # prior +- its allowed range
-            status = 3.0
+        if (K < K_low) or (K > K_high) or (bank < bank_low) or (bank > bank_high) or (eta < eta_low) or (eta > eta_high) or (grip < grip_low) or (grip > grip_high) or (input_scale < input_scale_low) or (input_scale > input_scale_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (place < place_low) or (place > place_high) or (push < push_low) or (push > push_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
+            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
+            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
+            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
+            grip = (grip_high if (grip_high) < ((grip if (grip) > (grip_low) else grip_low)) else (grip if (grip) > (grip_low) else grip_low))
+            place = (place_high if (place_high) < ((place if (place) > (place_low) else place_low)) else (place if (place) > (place_low) else place_low))
+            bank = (bank_high if (bank_high) < ((bank if (bank) > (bank_low) else bank_low)) else (bank if (bank) > (bank_low) else bank_low))
+            push = (push_high if (push_high) < ((push if (push) > (push_low) else push_low)) else (push if (push) > (push_low) else push_low))
+            input_scale = (input_scale_high if (input_scale_high) < ((input_scale if (input_scale) > (input_scale_low) else input_scale_low)) else (input_scale if (input_scale) > (input_scale_low) else input_scale_low))
+            if usable > 0.5:
+                status = 3.0
         noise_now = noise
         disturbance_now = disturbance_scale*w_nominal
         last_input = u_now

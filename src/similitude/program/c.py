@@ -51,6 +51,7 @@ typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
+SHORTER_AS_LOOP = 8  # zeros in a row of an array; fewer are as short one by one
 # |x| against a limit: a sign bit cleared where the compiler has a word for it, two comparisons elsewhere.
 _MAGNITUDE = """\
 #if defined(__GNUC__)
@@ -311,8 +312,10 @@ def _prior(program: Program) -> list[str]:
     scope = _scope(program, {s.name for f in program.state for s in f.symbols})
     body, loops = list(program.init), []
     for f in program.state:
+        if f.size < SHORTER_AS_LOOP:
+            continue
         zeros = [Assign(symbol.name, sp.Integer(0)) for symbol in f.symbols]
-        at = body.index(zeros[0]) if f.size > 1 and zeros[0] in body else 0
+        at = body.index(zeros[0]) if zeros[0] in body else 0
         touched = names_read(body[:at]) | names_written(body[:at])
         if body[at : at + f.size] == zeros and touched.isdisjoint(z.target for z in zeros):
             del body[at : at + f.size]

@@ -1,6 +1,6 @@
 """The covariance of a filter as straight-line statements on its upper triangle.
 
-Invariant: P stays symmetric because only one half is stored; a value of before is read before it is overwritten.
+Invariant: P stays symmetric because only one half is stored; what is overwritten was read before.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def _times(
 def column(
     P: Symmetric, gradient: Mapping[int, sp.Expr], prefix: str, rows: Iterable[int] | None = None
 ) -> list[Assign]:
-    """``<prefix>_i = (P H')_i`` for a measurement with the given gradient H; of all rows, or of those given."""
+    """``<prefix>_i = (P H')_i`` for a measurement with the given gradient H; of all rows or those given."""
     return [
         Assign(f"{prefix}_{i}", sp.Add(*(entry * P[i, k] for k, entry in gradient.items())))
         for i in (range(P.n) if rows is None else rows)
