@@ -41,7 +41,7 @@ FAULTS = {
 }
 
 
-def real(name):
+def real(name, vehicle):
     """A real log from its first metre on, as a drive to damage."""
     log = read_log(DATA / f"{name}.csv")
     columns = {
@@ -49,7 +49,7 @@ def real(name):
     }
     moving = np.flatnonzero(log.U > 1.0)
     columns = {key: column[moving[0] : moving[-1]] for key, column in columns.items()}
-    vehicle = read_vehicle(DATA / f"{LOGS[name]}.toml")
+    vehicle = read_vehicle(DATA / f"{vehicle}.toml")
     return bad.Drive(columns, vehicle.L.value, float(np.median(log.U)), float(log.delta.std()))
 
 
@@ -57,7 +57,7 @@ def real(name):
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_of_a_real_log_is_named(tmp_path, name, fault):
     damage, names, certain = FAULTS[fault]
-    drive = real(name)
+    drive = real(name, LOGS[name])
     for seed in range(3):
         columns = damage(drive, np.random.default_rng(seed))
         seen = bad.look(bad.Drive(columns, drive.L, drive.speed, drive.rms), tmp_path)
@@ -74,7 +74,7 @@ REPAIRABLE = ["yaw rate stuck", "hole interpolated", "spikes", "saturated", "cou
 @pytest.mark.parametrize("fault", REPAIRABLE)
 def test_the_repair_that_is_proposed_works(tmp_path, fault):
     damage, names, _ = FAULTS[fault]
-    drive = real("rav4_straight")
+    drive = real("rav4_straight", "rav4")
     columns = damage(drive, np.random.default_rng(0))
     seen = bad.look(bad.Drive(columns, drive.L, 0.0, 0.0), tmp_path)
     (found,) = [one for one in seen.findings if one.fault in names]

@@ -13,6 +13,7 @@ from real_logs import LOGS, examined
 pytestmark = pytest.mark.slow
 EXCITED = [name for name in LOGS if name != "rav4_straight"]
 RESTLESS = {"f1tenth_ds1", "f1tenth_ds3", "f1tenth_ds5"}  # halves apart by more than both intervals
+NO_NUMBER = {"not_excited", "outside_population"}  # K is said not to be one
 AT_THE_LIMIT = {"f1tenth_ds1", "f1tenth_ds4", "f1tenth_ds5"}  # a quarter to half of the log: 3 to 6 sd
 
 
@@ -43,7 +44,7 @@ def test_intervals_are_not_much_wider_than_those_of_the_whole_log(logs):
     for name, one in logs.items():
         fit = one.whole.batch.K
         width = one.whole.trace.ln_K_std[-1] / (fit.std / fit.value)
-        assert width <= 1.5 or one.whole.verdict == "not_excited", name
+        assert width <= 1.5 or one.whole.verdict in NO_NUMBER, name
 
 
 def test_a_visit_to_the_limit_leaves_K_where_it_was(logs):
@@ -67,8 +68,9 @@ def test_no_log_is_surer_of_a_slow_group_than_half_the_population(logs):
 
 def test_the_servo_of_the_f1tenth_is_its_own_and_so_is_its_yaw_inertia(logs):
     """3.2 rad/s is the slew that simulators of the car have; 0.81 is Iz/(m a b) of its vehicle file."""
-    for name in EXCITED[1:]:
-        run = logs[name].whole
+    told = [logs[name].whole for name in EXCITED[1:] if logs[name].whole.verdict not in NO_NUMBER]
+    assert len(told) >= 3
+    for run in told:
         assert 2.5 <= run.lag.servo.slew <= 4.2
         assert 0.0 < run.lag.servo.constant <= 0.08
         assert run.groups["rho"].value == pytest.approx(0.81, rel=0.25)

@@ -47,9 +47,7 @@ DESIGN = {
     "surprise_rate": 1 / 0.5,  # 1/s
     "jump_ratio": 8.0,  # a car that is always restless must surprise more
     "surprise_limit": 1.5,  # the mean of 50 squared innovations is 1 with sd sqrt(2/50) = 0.2
-    "score_rate": 1 / 5.0,  # 1/s: where a drive says little, a jump shows in seconds or not at all
-    "score_enough": 2.0,  # its square over its variance, 1 in the mean before K has moved, less after
-    "score_most": 5.0,  # a halved stiffness needs one
+    "heard_rate": 1 / 5.0,  # 1/s: where a drive says little, a jump shows in seconds or not at all
     "faint_drift": 5e-3,  # 1/s: a jump that could not have shown may have come, one by half in 100 s
     "inv_telling": 1 / 60.0,  # from an information of 60 a halved stiffness shows at once
     "observed_least": 0.1,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy import signal
 
-from similitude.estimators.paper_design import paper_config
+from similitude.estimators.paper_design import DESIGN, paper_config
 from similitude.program.library import Library
 from similitude.status import STATUS
 
@@ -53,8 +53,9 @@ def test_it_is_the_regression_of_the_paper_at_constant_speed():
     values, status = run(samples(delta, r))
     expected = reference(delta, r, np.full(N, U))
 
-    assert np.allclose(outputs(values, "estimate"), expected, rtol=1e-9, atol=0)
-    assert np.allclose(outputs(values, "pi3"), expected / U**2, rtol=1e-9, atol=0)
+    # normal_least, which the textbook has not, is felt in the first updates: 2e-9 of them
+    assert np.allclose(outputs(values, "estimate"), expected, rtol=5e-9, atol=0)
+    assert np.allclose(outputs(values, "pi3"), expected / U**2, rtol=5e-9, atol=0)
     used = (np.abs(r) > 0.1) & (np.arange(N) >= 112)
     assert (np.isin(status, [STATUS["ok"], STATUS["outside_linear"]]) == used).all()
 
@@ -108,8 +109,8 @@ def test_a_regression_that_says_less_than_nothing_reports_the_least():
     delta = servo_square(N)
     values, status = run(samples(-delta, yaw_rate(delta)))  # a wheel that steers the wrong way
 
-    assert outputs(values, "estimate")[-1] == 1e-3
-    assert outputs(values, "pi3")[-1] == pytest.approx(1e-3 / U**2)
+    assert outputs(values, "estimate")[-1] == DESIGN["K_low"]
+    assert outputs(values, "pi3")[-1] == pytest.approx(DESIGN["K_low"] / U**2)
     assert outputs(values, "variance")[-1] == 1.0
     assert status[-1] in (STATUS["at_limit"], STATUS["not_excited"])
 

@@ -29,7 +29,7 @@ WARM_TOLD = 1000.0  # information about an unknown, in its prior's, that the war
 WARM = 0.1  # of the planned drive: how long that takes to fall by e
 BY_SAMPLE = ("noise_adapt", "surprise_rate", "gap", "seldom")
 BY_OUTPUT = ("activity_rate", "structure_time", "disturbance_rate", "disturbance_adapt", "excitation_rate",
-             "companion_rate", "score_rate")  # fmt: skip
+             "companion_rate", "heard_rate")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -143,8 +143,7 @@ def _sensor_values(told: Mapping[str, float], swing: float, trial: Trial) -> dic
         "drift": drift,
         "idle_drift": drift,
         "jump_drift": 300 * drift,
-        "faint_drift": 0.0,  # a stated drift is no jump ...
-        "score_most": DESIGN["score_most"] if drift else 0.0,  # ... and what is constant makes none
+        "faint_drift": 0.0,  # a stated drift is no jump
         "excitation_ratio": 1e-4,
         "input_limit": ROOM * float(np.abs(trial.u).max()),
         "output_limit": ROOM

@@ -12,7 +12,7 @@ import sympy as sp
 
 from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
-from similitude.estimators.filter_jump import doubt, jump, moved_score, quiet_drift, share, surprise
+from similitude.estimators.filter_jump import heard, jump, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
 from similitude.program.parts import as_part
 from similitude.program.symmetric import Shared, column, predict, reduce_by
@@ -246,7 +246,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("odd", sp.Min(S("nis"), 9) - 1, "by how much it is not as expected"),
         surprise(),
         Assign("learn", S("excited") * S("inv_spread")),
-        *doubt(P[t, t]),
+        heard(),
         *jump(),
         Assign(
             "learn_slow",
@@ -273,7 +273,6 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             S("information") + gained * (1 + gained) * S("inv_P"),
             "1/variance gained",
         ),
-        moved_score(gains[t] * nu),
         Assign("move", S("move") + gains[t] * nu),
     ]
     order = {"inv_spread": 0, "learn": 1, "learn_slow": 2, "learn_seldom": 3}

@@ -17,7 +17,7 @@ import sympy as sp
 
 from similitude.estimators.filter_covariance import LARGEST_STEP, exponential, keep_within, move_log
 from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, OFFSET, Layout
-from similitude.estimators.filter_jump import moved_score, share
+from similitude.estimators.filter_jump import share
 from similitude.model import Quantity
 from similitude.program.ir import Assign, Statement, When, shared
 from similitude.program.parts import as_part
@@ -130,7 +130,6 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
         Assign(f"{n}_inv_P", 1 / P[t, t]),
         Assign(gained.name, gains[t] * S(f"{n}_c_{t}") * S(f"{n}_inv_P"), "share of the variance removed"),
         Assign("information", S("information") + gained * (1 + gained) * S(f"{n}_inv_P")),
-        moved_score(gains[t] * nu),
         Assign("move", S("move") + gains[t] * nu),
         *as_part(f"correct_by_{n}", corrected),
     ]

@@ -33,10 +33,10 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
-    "above above_move away cold bounded_move doubt either expected follow gained h i_det inv_P inv_det "
-    "inv_dt inv_output_scale keep keep_score keep_w learn learn_seldom learn_slow least_scale "
+    "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
+    "inv_dt inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale "
     "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise "
-    "score_variance seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
+    "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
 )
 
@@ -137,7 +137,6 @@ def _init(layout: Layout) -> list[Statement]:
     names = [
         "restlessness",
         "jump",
-        "score",
         "heard",
         "activity",
         "excitation",
@@ -255,7 +254,7 @@ def _restart(layout: Layout) -> list[Statement]:
     w = len(layout.fast)
     wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
     wide += [Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)]
-    unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump", "score", "heard")]
+    unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump", "heard")]
     unheard.append(Assign("surprise", sp.Integer(1)))
     half = sp.Rational(1, 2)
     gap = S("age") > S("gap")

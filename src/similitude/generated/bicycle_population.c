@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1162 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 85 reals, configuration 70 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1139 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 84 reals, configuration 68 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -107,9 +107,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real surprise_rate;           /* [1/s] averaging rate of the normalised innovation */
     bicycle_population_real jump_ratio;              /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
-    bicycle_population_real score_rate;              /* [1/s] rate at which the score of the first unknown is forgotten */
-    bicycle_population_real score_enough;            /* [-] squared score over its variance that speaks of a jump */
-    bicycle_population_real score_most;              /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_population_real heard_rate;              /* [1/s] rate at which what was told of the first unknown is forgotten */
     bicycle_population_real faint_drift;             /* [1/s] further diffusion of ln K while a jump could not show */
     bicycle_population_real inv_telling;             /* [-] 1/information of late in which a jump shows */
     bicycle_population_real observed_least;          /* [-] least share of the disturbance taken as observed */
@@ -143,7 +141,6 @@ typedef struct bicycle_population_state {
     bicycle_population_real restlessness;            /* [-] long-run mean square of the surprise beyond one */
     bicycle_population_real jump;                    /* [-] surprise taken as a jump of the first unknown */
     bicycle_population_real surprise;                /* [-] recent mean of the normalised innovation squared */
-    bicycle_population_real score;                   /* [-] recent slope of the log likelihood along the first unknown */
     bicycle_population_real heard;                   /* [-] recent information about the first unknown */
     bicycle_population_real excitation;              /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_population_real excited;                 /* [-] 1 while the input excites the first unknown, else 0 */
@@ -221,7 +218,6 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     P[19] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
-    state->score = R(0.0);
     state->heard = R(0.0);
     state->activity = R(0.0);
     state->excitation = R(0.0);
@@ -517,7 +513,6 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
-            state->score = R(0.0);
             state->heard = R(0.0);
             state->surprise = R(1.0);
         }
@@ -734,17 +729,11 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
             state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_population_real learn = state->excited*inv_spread;
-            const bicycle_population_real keep_score = R(1.0) - linear*((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate);
-            const bicycle_population_real told = inv_spread*linear*sensitivity;
-            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
-            state->score = innovation*told + keep_score*state->score;
-            const bicycle_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[27]*state->heard); /* little is no evidence */
-            const bicycle_population_real doubt = linear*((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough);
+            state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
             const bicycle_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
-            const bicycle_population_real either = ((doubt) > (rise) ? doubt : rise);
-            state->jump = ((R(0.0)) > (either) ? R(0.0) : either);
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const bicycle_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -754,7 +743,6 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real gain_3 = c_3*learn;
             const bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_9, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_small_population'
-OPERATIONS = 893
+OPERATIONS = 870
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'output_bias')
 
@@ -57,9 +57,7 @@ CONFIG = (
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
-    ('score_rate', '1/s', 'rate at which the score of the first unknown is forgotten', 1),
-    ('score_enough', '-', 'squared score over its variance that speaks of a jump', 1),
-    ('score_most', '-', 'most that it counts for beyond that, in units of surprise', 1),
+    ('heard_rate', '1/s', 'rate at which what was told of the first unknown is forgotten', 1),
     ('faint_drift', '1/s', 'further diffusion of ln K while a jump could not show', 1),
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
     ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
@@ -89,7 +87,6 @@ STATE = (
     ('restlessness', '-', 'long-run mean square of the surprise beyond one', 1),
     ('jump', '-', 'surprise taken as a jump of the first unknown', 1),
     ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
-    ('score', '-', 'recent slope of the log likelihood along the first unknown', 1),
     ('heard', '-', 'recent information about the first unknown', 1),
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
@@ -204,7 +201,6 @@ def init(config):
     P_15 = disturbance_scale*(disturbance_floor*disturbance_floor)
     restlessness = 0.0
     jump = 0.0
-    score = 0.0
     heard = 0.0
     activity = 0.0
     excitation = 0.0
@@ -216,7 +212,7 @@ def init(config):
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -258,19 +254,17 @@ def step(config, state, sample):
     surprise_rate = config[49]
     jump_ratio = config[50]
     surprise_limit = config[51]
-    score_rate = config[52]
-    score_enough = config[53]
-    score_most = config[54]
-    faint_drift = config[55]
-    inv_telling = config[56]
-    observed_least = config[57]
-    outlier_ratio = config[58]
-    gap = config[59]
-    input_limit = config[60]
-    output_limit = config[61]
-    signal_limit = config[62]
-    validity_limit = config[63]
-    validity_rate = config[64]
+    heard_rate = config[52]
+    faint_drift = config[53]
+    inv_telling = config[54]
+    observed_least = config[55]
+    outlier_ratio = config[56]
+    gap = config[57]
+    input_limit = config[58]
+    output_limit = config[59]
+    signal_limit = config[60]
+    validity_limit = config[61]
+    validity_rate = config[62]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -326,17 +320,16 @@ def step(config, state, sample):
     restlessness = state[48]
     jump = state[49]
     surprise = state[50]
-    score = state[51]
-    heard = state[52]
-    excitation = state[53]
-    excited = state[54]
-    unlearnt = state[55]
-    validity = state[56]
-    information = state[57]
-    last_input = state[58]
-    last_U = state[59]
-    age = state[60]
-    started = state[61]
+    heard = state[51]
+    excitation = state[52]
+    excited = state[53]
+    unlearnt = state[54]
+    validity = state[55]
+    information = state[56]
+    last_input = state[57]
+    last_U = state[58]
+    age = state[59]
+    started = state[60]
     U_now = 0.0
     anew = 0.0
     diffusion = 0.0
@@ -394,7 +387,6 @@ def step(config, state, sample):
             excitation = 0.0
             excited = 0.0
             jump = 0.0
-            score = 0.0
             heard = 0.0
             surprise = 1.0
         if anew > 0.5:  # nothing is known of them
@@ -629,17 +621,11 @@ def step(config, state, sample):
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
             surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
-            told = inv_spread*linear*sensitivity
-            heard = heard*keep_score + sensitivity*told  # information of late
-            score = innovation*told + keep_score*score
-            score_variance = prior_information + heard*(1.0 + P_21*heard)  # little is no evidence
-            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
+            heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
-            either = (doubt if (doubt) > (rise) else rise)
-            jump = (0.0 if (0.0) > (either) else either)
+            jump = (0.0 if (0.0) > (rise) else rise)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
@@ -648,7 +634,6 @@ def step(config, state, sample):
             gain_3 = c_3*learn
             gained = c_3*gain_3*inv_P  # share of the variance removed
             information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
             move = move + gain_3*innovation
             c_0 = P_7 + P_1*output_scale
             c_2 = P_20 + P_9*output_scale
@@ -747,5 +732,5 @@ def step(config, state, sample):
     estimate = K
     variance = P_21
     information_gained = information
-    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

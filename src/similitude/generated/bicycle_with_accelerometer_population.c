@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3074 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 157 reals, configuration 118 reals; no heap, no globals, no libm, C99.
+ * Operations: step 3048 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 156 reals, configuration 116 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -119,9 +119,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
-    bicycle_with_accelerometer_population_real score_rate; /* [1/s] rate at which the score of the first unknown is forgotten */
-    bicycle_with_accelerometer_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
-    bicycle_with_accelerometer_population_real score_most; /* [-] most that it counts for beyond that, in units of surprise */
+    bicycle_with_accelerometer_population_real heard_rate; /* [1/s] rate at which what was told of the first unknown is forgotten */
     bicycle_with_accelerometer_population_real faint_drift; /* [1/s] further diffusion of ln K while a jump could not show */
     bicycle_with_accelerometer_population_real inv_telling; /* [-] 1/information of late in which a jump shows */
     bicycle_with_accelerometer_population_real observed_least; /* [-] least share of the disturbance taken as observed */
@@ -172,7 +170,6 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     bicycle_with_accelerometer_population_real jump; /* [-] surprise taken as a jump of the first unknown */
     bicycle_with_accelerometer_population_real surprise; /* [-] recent mean of the normalised innovation squared */
-    bicycle_with_accelerometer_population_real score; /* [-] recent slope of the log likelihood along the first unknown */
     bicycle_with_accelerometer_population_real heard; /* [-] recent information about the first unknown */
     bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
@@ -287,7 +284,6 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
-    state->score = R(0.0);
     state->heard = R(0.0);
     state->activity = R(0.0);
     state->excitation = R(0.0);
@@ -947,7 +943,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
-            state->score = R(0.0);
             state->heard = R(0.0);
             state->surprise = R(1.0);
         }
@@ -1247,17 +1242,11 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
             state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_with_accelerometer_population_real learn = state->excited*inv_spread;
-            const bicycle_with_accelerometer_population_real keep_score = R(1.0) - linear*((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate);
-            const bicycle_with_accelerometer_population_real told = inv_spread*linear*sensitivity;
-            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
-            state->score = innovation*told + keep_score*state->score;
-            const bicycle_with_accelerometer_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[42]*state->heard); /* little is no evidence */
-            const bicycle_with_accelerometer_population_real doubt = linear*((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough);
+            state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_with_accelerometer_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
             const bicycle_with_accelerometer_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
-            const bicycle_with_accelerometer_population_real either = ((doubt) > (rise) ? doubt : rise);
-            state->jump = ((R(0.0)) > (either) ? R(0.0) : either);
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const bicycle_with_accelerometer_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_with_accelerometer_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -1267,7 +1256,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real gain_3 = c_3*learn;
             const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_13, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
@@ -1407,7 +1395,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[42]);
                 const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
                 state->information = state->information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
-                state->score = state->score - ay_gain_3*ay_innovation*state->heard; /* at the estimate as it is now */
                 move = move + ay_gain_3*ay_innovation;
                 bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_push, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_c_8, ay_c_10, ay_c_11, ay_c_12, ay_c_14, ay_c_3, ay_gain_3, ay_innovation);
                 const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);

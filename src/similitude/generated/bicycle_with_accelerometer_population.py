@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 3074
+OPERATIONS = 3048
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'bank', 'push', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 
@@ -74,9 +74,7 @@ CONFIG = (
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
-    ('score_rate', '1/s', 'rate at which the score of the first unknown is forgotten', 1),
-    ('score_enough', '-', 'squared score over its variance that speaks of a jump', 1),
-    ('score_most', '-', 'most that it counts for beyond that, in units of surprise', 1),
+    ('heard_rate', '1/s', 'rate at which what was told of the first unknown is forgotten', 1),
     ('faint_drift', '1/s', 'further diffusion of ln K while a jump could not show', 1),
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
     ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
@@ -127,7 +125,6 @@ STATE = (
     ('restlessness', '-', 'long-run mean square of the surprise beyond one', 1),
     ('jump', '-', 'surprise taken as a jump of the first unknown', 1),
     ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
-    ('score', '-', 'recent slope of the log likelihood along the first unknown', 1),
     ('heard', '-', 'recent information about the first unknown', 1),
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
@@ -222,7 +219,7 @@ def init(config):
     r_star_sd = config[68]
     disturbance_floor = config[79]
     disturbance_scale_start = config[83]
-    ay_bias_sd = config[110]
+    ay_bias_sd = config[108]
     v_star = 0.0
     r_star = 0.0
     v_star_plain = 0.0
@@ -409,7 +406,6 @@ def init(config):
     P_29 = disturbance_scale*(disturbance_floor*disturbance_floor)
     restlessness = 0.0
     jump = 0.0
-    score = 0.0
     heard = 0.0
     activity = 0.0
     excitation = 0.0
@@ -423,7 +419,7 @@ def init(config):
     last_U = 0.0
     ay_bias = 0.0
     ay_activity = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, P_91, P_92, P_93, P_94, P_95, P_96, P_97, P_98, P_99, P_100, P_101, P_102, P_103, P_104, P_105, P_106, P_107, P_108, P_109, P_110, P_111, P_112, P_113, P_114, P_115, P_116, P_117, P_118, P_119, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, P_91, P_92, P_93, P_94, P_95, P_96, P_97, P_98, P_99, P_100, P_101, P_102, P_103, P_104, P_105, P_106, P_107, P_108, P_109, P_110, P_111, P_112, P_113, P_114, P_115, P_116, P_117, P_118, P_119, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -480,28 +476,26 @@ def step(config, state, sample):
     surprise_rate = config[92]
     jump_ratio = config[93]
     surprise_limit = config[94]
-    score_rate = config[95]
-    score_enough = config[96]
-    score_most = config[97]
-    faint_drift = config[98]
-    inv_telling = config[99]
-    observed_least = config[100]
-    outlier_ratio = config[101]
-    gap = config[102]
-    input_limit = config[103]
-    output_limit = config[104]
-    signal_limit = config[105]
-    validity_limit = config[106]
-    validity_rate = config[107]
-    bank_rate = config[108]
-    push_rate = config[109]
-    ay_bias_drift = config[111]
-    ay_variance = config[112]
-    ay_share = config[113]
-    ay_time = config[114]
-    ay_noise_scale_low = config[115]
-    ay_noise_scale_high = config[116]
-    ay_limit = config[117]
+    heard_rate = config[95]
+    faint_drift = config[96]
+    inv_telling = config[97]
+    observed_least = config[98]
+    outlier_ratio = config[99]
+    gap = config[100]
+    input_limit = config[101]
+    output_limit = config[102]
+    signal_limit = config[103]
+    validity_limit = config[104]
+    validity_rate = config[105]
+    bank_rate = config[106]
+    push_rate = config[107]
+    ay_bias_drift = config[109]
+    ay_variance = config[110]
+    ay_share = config[111]
+    ay_time = config[112]
+    ay_noise_scale_low = config[113]
+    ay_noise_scale_high = config[114]
+    ay_limit = config[115]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -653,17 +647,16 @@ def step(config, state, sample):
     restlessness = state[143]
     jump = state[144]
     surprise = state[145]
-    score = state[146]
-    heard = state[147]
-    excitation = state[148]
-    excited = state[149]
-    unlearnt = state[150]
-    validity = state[151]
-    information = state[152]
-    last_input = state[153]
-    last_U = state[154]
-    age = state[155]
-    started = state[156]
+    heard = state[146]
+    excitation = state[147]
+    excited = state[148]
+    unlearnt = state[149]
+    validity = state[150]
+    information = state[151]
+    last_input = state[152]
+    last_U = state[153]
+    age = state[154]
+    started = state[155]
     U_now = 0.0
     anew = 0.0
     ay_inv_spread = 0.0
@@ -735,7 +728,6 @@ def step(config, state, sample):
             excitation = 0.0
             excited = 0.0
             jump = 0.0
-            score = 0.0
             heard = 0.0
             surprise = 1.0
         if anew > 0.5:  # nothing is known of them
@@ -1172,17 +1164,11 @@ def step(config, state, sample):
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
             surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
-            told = inv_spread*linear*sensitivity
-            heard = heard*keep_score + sensitivity*told  # information of late
-            score = innovation*told + keep_score*score
-            score_variance = prior_information + heard*(1.0 + P_42*heard)  # little is no evidence
-            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
+            heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
-            either = (doubt if (doubt) > (rise) else rise)
-            jump = (0.0 if (0.0) > (either) else either)
+            jump = (0.0 if (0.0) > (rise) else rise)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
@@ -1191,7 +1177,6 @@ def step(config, state, sample):
             gain_3 = c_3*learn
             gained = c_3*gain_3*inv_P  # share of the variance removed
             information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
             move = move + gain_3*innovation
             c_0 = P_13 + P_1*output_scale
             c_2 = P_40 + P_16*output_scale
@@ -1499,7 +1484,6 @@ def step(config, state, sample):
                 ay_inv_P = (1.0/P_42)
                 ay_gained = ay_c_3*ay_gain_3*ay_inv_P  # share of the variance removed
                 information = information + ay_gained*ay_inv_P*(1.0 + ay_gained)
-                score = score - ay_gain_3*ay_innovation*heard  # at the estimate as it is now
                 move = move + ay_gain_3*ay_innovation
                 ay_c_9 = (P_104 + P_100*ay_by_push + P_102*ay_by_u + P_23*ay_by_r_star + P_36*ay_by_u + P_48*ay_by_K) + (P_59*ay_by_pi1 + P_69*ay_by_eta + P_78*ay_by_rho + P_86*ay_by_grip + P_9*ay_by_v_star + P_93*ay_by_place + P_101*ay_by_u*input_scale*u_now)
                 ay_c_13 = (P_118 + P_108*ay_by_push + P_115*ay_by_u + P_13*ay_by_v_star + P_27*ay_by_r_star + P_40*ay_by_u) + (P_52*ay_by_K + P_63*ay_by_pi1 + P_73*ay_by_eta + P_82*ay_by_rho + P_90*ay_by_grip + P_97*ay_by_place + P_112*ay_by_u*input_scale*u_now)
@@ -1704,5 +1688,5 @@ def step(config, state, sample):
     push_now = push
     offset_now = input_offset
     bias_now = output_bias
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, P_91, P_92, P_93, P_94, P_95, P_96, P_97, P_98, P_99, P_100, P_101, P_102, P_103, P_104, P_105, P_106, P_107, P_108, P_109, P_110, P_111, P_112, P_113, P_114, P_115, P_116, P_117, P_118, P_119, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, P_91, P_92, P_93, P_94, P_95, P_96, P_97, P_98, P_99, P_100, P_101, P_102, P_103, P_104, P_105, P_106, P_107, P_108, P_109, P_110, P_111, P_112, P_113, P_114, P_115, P_116, P_117, P_118, P_119, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, grip_now, place_now, bank_now, push_now, offset_now, bias_now, noise_now, disturbance_now]

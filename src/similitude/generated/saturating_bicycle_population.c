@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1423 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1400 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 96 reals, configuration 76 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -110,9 +110,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
-    saturating_bicycle_population_real score_rate;   /* [1/s] rate at which the score of the first unknown is forgotten */
-    saturating_bicycle_population_real score_enough; /* [-] squared score over its variance that speaks of a jump */
-    saturating_bicycle_population_real score_most;   /* [-] most that it counts for beyond that, in units of surprise */
+    saturating_bicycle_population_real heard_rate;   /* [1/s] rate at which what was told of the first unknown is forgotten */
     saturating_bicycle_population_real faint_drift;  /* [1/s] further diffusion of ln K while a jump could not show */
     saturating_bicycle_population_real inv_telling;  /* [-] 1/information of late in which a jump shows */
     saturating_bicycle_population_real observed_least; /* [-] least share of the disturbance taken as observed */
@@ -147,7 +145,6 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real restlessness; /* [-] long-run mean square of the surprise beyond one */
     saturating_bicycle_population_real jump;         /* [-] surprise taken as a jump of the first unknown */
     saturating_bicycle_population_real surprise;     /* [-] recent mean of the normalised innovation squared */
-    saturating_bicycle_population_real score;        /* [-] recent slope of the log likelihood along the first unknown */
     saturating_bicycle_population_real heard;        /* [-] recent information about the first unknown */
     saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
     saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
@@ -232,7 +229,6 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     P[21] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
-    state->score = R(0.0);
     state->heard = R(0.0);
     state->activity = R(0.0);
     state->excitation = R(0.0);
@@ -557,7 +553,6 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
-            state->score = R(0.0);
             state->heard = R(0.0);
             state->surprise = R(1.0);
         }
@@ -823,17 +818,11 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
             state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const saturating_bicycle_population_real learn = state->excited*inv_spread;
-            const saturating_bicycle_population_real keep_score = R(1.0) - linear*((R(1.0)) < (sample->dt*config->score_rate) ? R(1.0) : sample->dt*config->score_rate);
-            const saturating_bicycle_population_real told = inv_spread*linear*sensitivity;
-            state->heard = state->heard*keep_score + sensitivity*told; /* information of late */
-            state->score = innovation*told + keep_score*state->score;
-            const saturating_bicycle_population_real score_variance = config->prior_information + state->heard*(R(1.0) + P[30]*state->heard); /* little is no evidence */
-            const saturating_bicycle_population_real doubt = linear*((config->score_most) < ((state->score*state->score)/score_variance - config->score_enough) ? config->score_most : (state->score*state->score)/score_variance - config->score_enough);
+            state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const saturating_bicycle_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
             const saturating_bicycle_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
-            const saturating_bicycle_population_real either = ((doubt) > (rise) ? doubt : rise);
-            state->jump = ((R(0.0)) > (either) ? R(0.0) : either);
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const saturating_bicycle_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const saturating_bicycle_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
@@ -843,7 +832,6 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real gain_3 = c_3*learn;
             const saturating_bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            state->score = state->score - gain_3*state->heard*innovation; /* at the estimate as it is now */
             move = move + gain_3*innovation;
             saturating_bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_10, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */

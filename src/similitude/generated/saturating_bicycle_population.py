@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'saturating_bicycle_population'
-OPERATIONS = 1423
+OPERATIONS = 1400
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'input_scale', 'input_offset', 'output_bias')
 
@@ -65,9 +65,7 @@ CONFIG = (
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
-    ('score_rate', '1/s', 'rate at which the score of the first unknown is forgotten', 1),
-    ('score_enough', '-', 'squared score over its variance that speaks of a jump', 1),
-    ('score_most', '-', 'most that it counts for beyond that, in units of surprise', 1),
+    ('heard_rate', '1/s', 'rate at which what was told of the first unknown is forgotten', 1),
     ('faint_drift', '1/s', 'further diffusion of ln K while a jump could not show', 1),
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
     ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
@@ -102,7 +100,6 @@ STATE = (
     ('restlessness', '-', 'long-run mean square of the surprise beyond one', 1),
     ('jump', '-', 'surprise taken as a jump of the first unknown', 1),
     ('surprise', '-', 'recent mean of the normalised innovation squared', 1),
-    ('score', '-', 'recent slope of the log likelihood along the first unknown', 1),
     ('heard', '-', 'recent information about the first unknown', 1),
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
@@ -275,7 +272,6 @@ def init(config):
     P_21 = disturbance_scale*(disturbance_floor*disturbance_floor)
     restlessness = 0.0
     jump = 0.0
-    score = 0.0
     heard = 0.0
     activity = 0.0
     excitation = 0.0
@@ -287,7 +283,7 @@ def init(config):
     age = 0.0
     started = 0.0
     last_U = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -334,19 +330,17 @@ def step(config, state, sample):
     surprise_rate = config[62]
     jump_ratio = config[63]
     surprise_limit = config[64]
-    score_rate = config[65]
-    score_enough = config[66]
-    score_most = config[67]
-    faint_drift = config[68]
-    inv_telling = config[69]
-    observed_least = config[70]
-    outlier_ratio = config[71]
-    gap = config[72]
-    input_limit = config[73]
-    output_limit = config[74]
-    signal_limit = config[75]
-    validity_limit = config[76]
-    validity_rate = config[77]
+    heard_rate = config[65]
+    faint_drift = config[66]
+    inv_telling = config[67]
+    observed_least = config[68]
+    outlier_ratio = config[69]
+    gap = config[70]
+    input_limit = config[71]
+    output_limit = config[72]
+    signal_limit = config[73]
+    validity_limit = config[74]
+    validity_rate = config[75]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -437,17 +431,16 @@ def step(config, state, sample):
     restlessness = state[83]
     jump = state[84]
     surprise = state[85]
-    score = state[86]
-    heard = state[87]
-    excitation = state[88]
-    excited = state[89]
-    unlearnt = state[90]
-    validity = state[91]
-    information = state[92]
-    last_input = state[93]
-    last_U = state[94]
-    age = state[95]
-    started = state[96]
+    heard = state[86]
+    excitation = state[87]
+    excited = state[88]
+    unlearnt = state[89]
+    validity = state[90]
+    information = state[91]
+    last_input = state[92]
+    last_U = state[93]
+    age = state[94]
+    started = state[95]
     U_now = 0.0
     anew = 0.0
     bias_now = 0.0
@@ -515,7 +508,6 @@ def step(config, state, sample):
             excitation = 0.0
             excited = 0.0
             jump = 0.0
-            score = 0.0
             heard = 0.0
             surprise = 1.0
         if anew > 0.5:  # nothing is known of them
@@ -861,17 +853,11 @@ def step(config, state, sample):
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
             surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
             learn = excited*inv_spread
-            keep_score = 1.0 - linear*(1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
-            told = inv_spread*linear*sensitivity
-            heard = heard*keep_score + sensitivity*told  # information of late
-            score = innovation*told + keep_score*score
-            score_variance = prior_information + heard*(1.0 + P_30*heard)  # little is no evidence
-            doubt = linear*(score_most if (score_most) < ((score*score)/score_variance - score_enough) else (score*score)/score_variance - score_enough)
+            heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
             rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
-            either = (doubt if (doubt) > (rise) else rise)
-            jump = (0.0 if (0.0) > (either) else either)
+            jump = (0.0 if (0.0) > (rise) else rise)
             learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
             unlearnt = dt + unlearnt
             learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
@@ -880,7 +866,6 @@ def step(config, state, sample):
             gain_3 = c_3*learn
             gained = c_3*gain_3*inv_P  # share of the variance removed
             information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
-            score = score - gain_3*heard*innovation  # at the estimate as it is now
             move = move + gain_3*innovation
             c_0 = P_10 + P_1*output_scale
             c_2 = P_29 + P_12*output_scale
@@ -1034,5 +1019,5 @@ def step(config, state, sample):
     grip_now = grip
     offset_now = input_offset
     bias_now = output_bias
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, score, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, grip_now, offset_now, bias_now, noise_now, disturbance_now]
