@@ -1,6 +1,7 @@
 """Prints what rows at equal distances give against rows at equal times, on the same logs (`make spacing`).
 
-The bundled logs, and a simulated car whose speed swings between 8 and 26 m/s: there the truth is known.
+The bundled logs, and a simulated car whose speed swings between 8 and 26 m/s: there the truth is known. A log
+that is not excited leaves K near the population's by either way, and cannot judge them.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from rich.table import Table
 from tests.simulated_drive import CAR, drive, vehicle
 
 from similitude import identify, read_log, read_vehicle
+from similitude.run import Run
 
 ROOT = Path(__file__).parents[1]
 SHARE = 0.15  # of the wheelbase between two rows
@@ -31,15 +33,15 @@ LOGS = {
 def main() -> None:
     """Identify every log both ways and print one table."""
     table = Table(title="Rows at equal times (t) and at equal distances (s)", box=box.SIMPLE_HEAD)
-    for name in ("log", "rows t", "rows s", "K t", "K s", "sd t", "sd s"):
-        table.add_column(name, justify="left" if name == "log" else "right")
+    for name in ("log", "rows t", "rows s", "K t", "K s", "sd t", "sd s", "apart", "says t", "says s"):
+        table.add_column(name, justify="left" if name in ("log", "says t", "says s") else "right")
     for stem, car in LOGS.items():
         known = read_vehicle(ROOT / "data" / f"{car}.toml")
         row(table, stem, read_log(ROOT / "data" / f"{stem}.csv", vehicle=known), known)
     for seed in range(DRIVES):
         log = drive(seconds=120, U=lambda t: 17 + 9 * np.sin(2 * np.pi * t / 20), seed=seed)
         row(table, f"simulated, K = {CAR['K']:.0f}", log, vehicle())
-    Console(width=100).print(table)
+    Console(width=130).print(table)
 
 
 def row(table: Table, name: str, log, car) -> None:
@@ -53,7 +55,18 @@ def row(table: Table, name: str, log, car) -> None:
         f"{travelled / (SHARE * car.L.value):.0f}",
         *(f"{run.K.value:.3g}" for run in (by_time, by_way)),
         *(f"{100 * run.K.std / run.K.value:.1f} %" for run in (by_time, by_way)),
+        _apart(by_time, by_way),
+        by_time.verdict,
+        by_way.verdict,
     )
+
+
+def _apart(by_time: Run, by_way: Run) -> str:
+    """How far the second K lies from the first, in the larger of their sds; nothing where neither learnt."""
+    if "not_excited" in (by_time.verdict, by_way.verdict):
+        return "cannot judge"
+    sd = max(run.K.std / run.K.value for run in (by_time, by_way))
+    return f"{np.log(by_way.K.value / by_time.K.value) / sd:+.1f} sd"
 
 
 if __name__ == "__main__":

@@ -210,6 +210,17 @@ def dead_banded(name):
     return damage
 
 
+def dead_subtracted(name):
+    """A sensor that takes a tenth to half of its standard deviation off every value."""
+
+    def damage(drive, rng):
+        column = drive.columns[name]
+        least = rng.uniform(0.1, 0.5) * np.nanstd(column)
+        return {**drive.columns, name: np.sign(column) * np.maximum(np.abs(column) - least, 0.0)}
+
+    return damage
+
+
 def spiked(name):
     """One to ten single values thrown off by half to three times the range."""
 

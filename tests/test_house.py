@@ -36,7 +36,7 @@ FLOW = (
     "run verdict prediction handling stiffness_doubt",
     "monitor_config change_alarm information_meter time_scales saved_state drive_memory",
     "identify_setup",
-    "inspection steer_scale_doubt",
+    "inspection steer_scale_doubt speed_unit_doubt",
     "ladder_passes cross_check",
     "identify_population identify_batch identify_paper identify_ladder",
     "distance_sampling identification",

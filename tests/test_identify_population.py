@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from similitude.identification import identify
-from similitude.identify_population import edges
+from similitude.identify_setup import edges
 from similitude.log import read_log
 from similitude.report.table import estimate_table
 from similitude.status import STATUS

@@ -26,6 +26,7 @@ from similitude.identify_setup import (
 from similitude.log import Log
 from similitude.prediction import predict_ahead
 from similitude.run import Nuisance, Run, axle_stiffness
+from similitude.speed_unit_doubt import speed_unit_doubts
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
 from similitude.verdict import evidence, linear_doubts, verdict
@@ -72,6 +73,7 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
         warnings=(
             *log.warnings,
             *(linear_doubts(seen) if learnt else ()),
+            *(one.warning for one in (speed_unit_doubts(ready, batch) if learnt else ())),
             *warnings_of(ready, batch, learnt=learnt),
         ),
         assumed=assumed_of(ready),

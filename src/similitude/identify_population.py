@@ -18,8 +18,8 @@ from similitude.handling import handling
 from similitude.identify_setup import (
     assumed_of,
     average_lag,
+    edges,
     group_table,
-    held_by_limits,
     prepare,
     reported,
     seen_speed,
@@ -33,6 +33,7 @@ from similitude.monitor_config import BETWEEN_FALSE_ALARMS
 from similitude.prediction import predict_ahead
 from similitude.run import Assumed, Nuisance, Run, Trace, axle_stiffness, held, positive_estimate
 from similitude.saved_state import SavedState
+from similitude.speed_unit_doubt import speed_unit_doubts
 from similitude.steer_lag import LagScan
 from similitude.time_scales import time_scales
 from similitude.vehicle_file import Vehicle
@@ -92,6 +93,7 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
             *log.warnings,
             *([unused] if unused else []),
             *([sentence(check)] if check and check.structure_error else []),
+            *(one.warning for one in (speed_unit_doubts(ready, batch) if learnt else ())),
             *warnings_of(ready, batch, learnt=learnt),
             *doubts,
         ),
@@ -170,19 +172,6 @@ def trace_of(done: Pass, K: np.ndarray, ln_K_std: np.ndarray, information: np.nd
         ay_kinematic=U * predicted,
         status=done.status,
     )
-
-
-def edges(done: Pass) -> tuple[str, ...]:
-    """Unknowns at the end of a pass that the limits of the population hold where they are."""
-    prior, library = done.setup.prior, done.setup.library
-    low, high = (
-        prior.coordinates(
-            np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
-        )
-        for side in ("low", "high")
-    )
-    x = prior.coordinates(np.array([done.value(name) for name in NAMES]))
-    return held_by_limits(x, low, high, prior, float(np.sqrt(done.covariance(["K"])[0, 0])))
 
 
 def _nuisance(done: Pass) -> dict[str, Nuisance]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit, fit_batch
-from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
+from similitude.batch_pass import COMMANDED_LAG, LEAST_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
 from similitude.filter_run import LINEAR, POPULATION, Pass, Setup, population_setup
 from similitude.log import Log
@@ -94,7 +94,7 @@ def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
     frozen = FrozenFilter(replace(ready.setup, library=shipped(_tyres(ready.setup.log))), prior)
-    scanned = ready.scan.chosen if ready.scan.origin == "scanned" else prior.mean[5]
+    scanned = max(ready.scan.chosen, LEAST_LAG) if ready.scan.origin == "scanned" else prior.mean[5]
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
     return fit_batch(frozen, frozen.coordinates(start), scales)
@@ -156,6 +156,19 @@ def held_by_limits(
     room[0] = Z95 * ln_K_std
     here = np.minimum(np.abs(x - low), np.abs(high - x)) <= room
     return tuple(name for name, held in zip(NAMES, here, strict=True) if held)
+
+
+def edges(done: Pass) -> tuple[str, ...]:
+    """Unknowns at the end of a pass that the limits of the population hold where they are."""
+    prior, library = done.setup.prior, done.setup.library
+    low, high = (
+        prior.coordinates(
+            np.array([done.config[library.index("config", f"{name}_{side}")] for name in NAMES])
+        )
+        for side in ("low", "high")
+    )
+    x = prior.coordinates(np.array([done.value(name) for name in NAMES]))
+    return held_by_limits(x, low, high, prior, float(np.sqrt(done.covariance(["K"])[0, 0])))
 
 
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:

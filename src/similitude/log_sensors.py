@@ -55,10 +55,10 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
                       spikes; each with the rows
     """
     found = []
-    dead = _dead_rows(values)
+    dead, short = _dead_rows(values)
     for name in [name for name in WORDS if name in values]:
         header = column_of(name, columns).header
-        stuck = stuck_rows(values, name) & ~(dead if name == "r" else False)
+        stuck = stuck_rows(values, name) & ~(dead | short if name == "r" else np.zeros_like(dead))
         found += _said(name, header, "stuck", stuck, values["t"])
         if name != "U":
             found += _said(name, header, "clipped", cut_rows(values, name), values["t"])
@@ -67,15 +67,20 @@ def check_sensors(values: Mapping[str, np.ndarray], columns: Mapping[str, Column
         header = columns["r"].header
         found += _said("r", header, "interpolated", straight_rows(values["t"], values["r"]), values["t"])
         found += _said("r", header, "dead_band", dead, values["t"])
+        found += _said("r", header, "dead_band_subtracted", short, values["t"])
     return found
 
 
-def _dead_rows(values: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Rows (n,) in which the yaw rate of a moving car was set to one number, being small."""
+def _dead_rows(values: Mapping[str, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Rows (n,) in which the yaw rate of a moving car was set to one number: the rest whole, or short."""
     rate = values.get("r", np.zeros(0))
     moving = np.abs(values["U"]) > STANDSTILL if "U" in values else np.isfinite(rate)
     found = dead_band(rate[moving]) if rate.size else None
-    return np.zeros(values["t"].size, dtype=bool) if found is None else moving & (rate == found.value)
+    none = np.zeros(values["t"].size, dtype=bool)
+    if found is None:
+        return none, none
+    rows = moving & (rate == found.value)
+    return (rows, none) if found.width else (none, rows)
 
 
 _TEXTS = {
@@ -86,6 +91,11 @@ _TEXTS = {
         "is one and the same number in {count} rows, and never near it otherwise",
         "small values were set to zero, and the car seems to answer less: K reads low.",
         "drop_dead_band",
+    ),
+    "dead_band_subtracted": (
+        "is one and the same number in {count} rows, and no other number comes back",
+        "a dead band was subtracted and all others are short by it, or it stands for missing values.",
+        None,
     ),
     "interpolated": (
         "lies on straight lines for {seconds:.3g} s",
@@ -106,8 +116,8 @@ def _said(name: str, header: str, fault: str, rows: np.ndarray, t: np.ndarray) -
         fault, False,
         f"column {shown(header)} ({WORDS[name]}) {what.format(seconds=seconds, count=count)}, first in "
         f"data row {first + 1} (t = {t[first]:.6g} s)",
-        usually, f"--fix {fix}", READ, column=header,
-        value=float(count) if fault in ("spikes", "clipped", "dead_band") else seconds,
+        usually, f"--fix {fix}" if fix else "--map r=COLUMN   # of the gyro itself", READ, column=header,
+        value=seconds if fault in ("stuck", "interpolated") else float(count),
         rows=(first + 1, last + 1), fix=fix,
     )]  # fmt: skip
 

@@ -107,7 +107,7 @@ def verdict(e: Evidence) -> tuple[str, str]:
     if share > OUTSIDE_SHARE:
         return "outside_model", (
             f"{100 * share:.3g} % of what was learnt came from beyond 0.3 g, where tyres are no longer "
-            f"linear; K = value ± {sd} is an average slope, not the stiffness at small slip."
+            f"linear; K, ± {sd} (one sd), is an average slope, not the stiffness at small slip."
         )
     if e.noise_scale > CONTRADICTION:
         return "outside_model", (
@@ -124,9 +124,14 @@ def verdict(e: Evidence) -> tuple[str, str]:
     )
 
 
+def is_usual(ln_K_away: float, prior_std: float) -> bool:
+    """Whether a K so far from the population's (logarithms) is one that its cars have on some road."""
+    room = POPULATION_SD * prior_std
+    return -room - ROAD_ROOM < ln_K_away < room
+
+
 def _outside_the_population(e: Evidence) -> bool:
-    room = POPULATION_SD * e.prior_std
-    return bool(e.at_limit) or not -room - ROAD_ROOM < e.ln_K_away < room
+    return bool(e.at_limit) or not is_usual(e.ln_K_away, e.prior_std)
 
 
 def linear_doubts(e: Evidence) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from similitude.inspection.doubts import (
     find_cut_steer,
     find_late_steer,
     find_other_axis,
-    find_strange_stiffness,
+    find_strange_car,
     find_wrong_scale,
 )
 from similitude.inspection.follow import Follow
@@ -19,10 +19,11 @@ from similitude.inspection.signals import Signals
 from similitude.inspection.slow_relation import SlowRelation
 
 
-def plan(*, lag=0.0, std=0.002, origin="scanned", K=150.0, verdict="identified", commanded=False, early=0.0):
+def plan(*, lag=0.0, std=0.002, origin="scanned", K=150.0, commanded=False, early=0.0, at_limit=()):
     scan = SimpleNamespace(total=lag, std=std, origin=origin, early=early)
+    K_away = float(np.log(K / 145.68))
     return SimpleNamespace(
-        scan=scan, commanded=commanded, K=K, K_prior=145.68, K_prior_std=0.5, verdict=verdict
+        scan=scan, commanded=commanded, K=K, K_away=K_away, K_prior_std=0.5, at_limit=at_limit
     )
 
 
@@ -76,9 +77,11 @@ def test_a_scale_must_be_off_by_more_than_its_interval(length, found):
 
 
 def test_a_stiffness_no_car_has_doubts_the_steer():
-    assert faults(find_strange_stiffness(plan(K=970.0), "delta")) == ["steer_scale"]
-    assert find_strange_stiffness(plan(K=40.0), "delta") == []  # ice is a road too
-    assert find_strange_stiffness(plan(K=970.0, verdict="not_excited"), "delta") == []
+    assert faults(find_strange_car(plan(K=970.0), "delta")) == ["steer_scale"]
+    assert find_strange_car(plan(K=40.0), "delta") == []  # ice is a road too
+    (edge,) = find_strange_car(plan(at_limit=("rho",)), "delta")
+    assert edge.fault == "outside_population"
+    assert "the yaw inertia (rho)" in edge.what
 
 
 def signals(ay_of):
@@ -104,7 +107,7 @@ def test_an_acceleration_along_the_car_is_not_the_lateral_one():
 def test_every_doubt_has_its_four_parts_and_refuses_nothing():
     met = [
         *find_late_steer(plan(lag=0.06, commanded=True), "delta"),
-        *find_strange_stiffness(plan(K=970.0), "delta"),
+        *find_strange_car(plan(K=970.0), "delta"),
         *find_wrong_scale(SlowRelation(20, length=4.0, length_std=0.05), 2.7, "delta", at_wheel=False),
     ]
 

@@ -32,6 +32,37 @@ def test_a_hole_is_found_with_its_middle_and_width(seed, share, bias, steps):
     assert np.array_equal(dead_rows(x + bias), x == 0)
 
 
+@pytest.mark.parametrize("share", [0.1, 0.3, 0.6])
+def test_a_band_that_was_subtracted_has_no_hole_but_a_favourite_number(share):
+    for drive in sound_drives(12, seed=4):
+        rate = drive.columns["r"] - np.median(drive.columns["r"])
+        found = dead_band(np.sign(rate) * np.maximum(np.abs(rate) - share * rate.std(), 0.0))
+
+        assert found is not None
+        assert (found.value, found.width) == (0.0, 0.0)
+
+
+def test_a_log_with_a_subtracted_band_is_said_and_no_repair_is_offered(tmp_path):
+    drive = sound_drives(3, seed=2)[0]
+    rate = drive.columns["r"]
+    drive.columns["r"] = np.sign(rate) * np.maximum(np.abs(rate) - 0.3 * rate.std(), 0.0)
+    path = write(drive, tmp_path)
+
+    (found,) = survey(path).findings
+
+    assert (found.fault, found.fix) == ("dead_band_subtracted", None)
+    assert "short by it" in found.usually
+    assert not np.isnan(survey(path, fixes=["drop_dead_band"]).values["r"]).any()
+
+
+def test_a_sensor_that_is_stuck_once_has_no_favourite():
+    rng = np.random.default_rng(3)
+    x = rng.standard_normal(4000)
+    x[1000:1400] = x[1000]
+
+    assert dead_band(x) is None
+
+
 def test_neither_sound_signals_nor_coarse_ones_have_a_hole():
     rng = np.random.default_rng(0)
     for drive in sound_drives(60, seed=21):

@@ -25,6 +25,7 @@ TYPICAL_LENGTH = 2.7  # m, of a car, for a guess without a vehicle file
 # Findings after which a K is sharp and may yet be wrong: no interval holds them.
 DOUBTFUL = {
     "steer_scale": "the scale of steer or speed",
+    "outside_population": "whether the car is one of the population",
     "steer_against_yaw": "how steer, speed and yaw rate fit",
     "ay_against_yaw": "how speed, yaw rate and lateral acceleration fit",
     "speed_unit": "the unit of the speed",
@@ -33,13 +34,15 @@ DOUBTFUL = {
     "steer_cut": "a steer that is cut off",
     "stuck": "a sensor that was stuck",
     "dead_band": "a yaw rate whose small values were set to zero",
+    "dead_band_subtracted": "a yaw rate from which something was subtracted",
     "drives_joined": "two drives in one log",
 }
 
 
 def doubtful(look: Inspection) -> str:
     """What makes the K of a log that can show it doubtful, as one sentence; empty where nothing does."""
-    if look.prospects is None or look.prospects.verdict == "not_excited" or look.survey.certain:
+    plan = look.prospects
+    if plan is None or look.survey.certain or (plan.verdict == "not_excited" and not plan.is_outside):
         return ""
     faults = list(dict.fromkeys(one.fault for one in look.findings if one.fault in DOUBTFUL))
     said = " and ".join(DOUBTFUL[fault] for fault in faults)

@@ -14,7 +14,7 @@ from similitude.inspection.follow import Follow
 from similitude.inspection.prospects import Prospects
 from similitude.inspection.signals import Signals
 from similitude.inspection.slow_relation import SlowRelation
-from similitude.verdict import POPULATION_SD, ROAD_ROOM
+from similitude.verdict import WORDS, is_usual
 
 READ = 'docs/inspect.md, "What it finds by itself"'
 SURE = 2.0  # sds
@@ -107,19 +107,26 @@ def find_wrong_scale(slow: SlowRelation, wheelbase: float, header: str, *, at_wh
     )]  # fmt: skip
 
 
-def find_strange_stiffness(plan: Prospects, header: str) -> list[Finding]:
-    """A stiffness no car of the population has: K and the scale of the steer trade."""
-    away = float(np.log(plan.K / plan.K_prior))
-    room = POPULATION_SD * plan.K_prior_std
-    if plan.verdict == "not_excited" or -room - ROAD_ROOM < away < room:
+def find_strange_car(plan: Prospects, header: str) -> list[Finding]:
+    """A stiffness or a group no car of the population has: K and the scale of the steer trade."""
+    if not is_usual(plan.K_away, plan.K_prior_std):
+        return [Finding(
+            "steer_scale", False,
+            f"taken at its word, column '{header}' makes K {plan.K:.3g} m^2/s^2, {np.exp(plan.K_away):.2g} "
+            "times the population's average and outside its spread",
+            "the scale of the steer angle is doubtful: K and steer scale trade; calibrate the road wheel.",
+            f"log['{header}'] *= FACTOR   # of a calibrated road wheel", READ,
+            column=header, value=float(np.exp(plan.K_away)),
+        )]  # fmt: skip
+    if not plan.at_limit:
         return []
+    which = " and ".join(WORDS.get(name, name) for name in plan.at_limit)
     return [Finding(
-        "steer_scale", False,
-        f"taken at its word, column '{header}' makes K {plan.K:.3g} m^2/s^2, {np.exp(away):.2g} times the "
-        "population's average and outside its spread",
-        "the scale of the steer angle is doubtful: K and steer scale trade; calibrate the road wheel.",
-        f"log['{header}'] *= FACTOR   # of a calibrated road wheel", READ,
-        column=header, value=float(np.exp(away)),
+        "outside_population", False,
+        f"taken at its word, the log has {which} at the edge of what the population allows",
+        "the wheelbase, the steering ratio or the population is wrong.",
+        'population = "small_cars"   # or another in the vehicle file', READ,
+        value=float(len(plan.at_limit)),
     )]  # fmt: skip
 
 

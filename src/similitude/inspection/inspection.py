@@ -20,7 +20,7 @@ from similitude.inspection.doubts import (
     find_cut_steer,
     find_late_steer,
     find_other_axis,
-    find_strange_stiffness,
+    find_strange_car,
     find_wrong_scale,
 )
 from similitude.inspection.excitation import Window, excitation
@@ -219,7 +219,8 @@ def _doubts(look: Inspection) -> list[Finding]:
         met += find_coarse_steer(steer, float(np.nanstd(look.signals.steer)) / unit)
     if look.prospects is not None:
         met += find_late_steer(look.prospects, look.steer)
-        met += find_strange_stiffness(look.prospects, look.steer)
+        met += find_strange_car(look.prospects, look.steer)
+        met += look.prospects.odd_speed
     wheelbase = look.vehicle.L.value if look.vehicle and look.vehicle.L else None
     odd = any(one.fault == "steer_scale" for one in met)
     if look.slow is not None and wheelbase and not odd:

@@ -18,14 +18,16 @@ from numpy.typing import NDArray
 
 from similitude.filter_config import DESIGN
 from similitude.filter_run import POPULATION, Pass, Setup
-from similitude.identify_setup import prepare
+from similitude.finding import Finding
+from similitude.identify_setup import edges, prepare, whole_log
 from similitude.log import Log
 from similitude.prediction import FROZEN
 from similitude.program.library import shipped
+from similitude.speed_unit_doubt import speed_unit_doubts
 from similitude.steer_lag import LagScan
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
-from similitude.verdict import IDENTIFIED_STD, LINEAR, PRIOR_SHARE
+from similitude.verdict import IDENTIFIED_STD, LINEAR, PRIOR_SHARE, is_usual
 
 OTHERS = ("input_offset", "output_bias")
 MORE = (2.0, 4.0, 8.0, 16.0)  # times as much steer, or as long
@@ -71,6 +73,8 @@ class Prospects:
     K : float                that the log itself gives, as far as it goes [m^2/s^2]
     K_prior, K_prior_std     of the population [m^2/s^2] and of ln K
     information : (n,)       gained about K along the log, cumulative [-]
+    at_limit : tuple of str  groups that the limits of the population hold at the end of the log
+    odd_speed : tuple        findings: a unit of the speed that explains the log far better
     """
 
     unknowns: dict[str, Prospect]
@@ -89,6 +93,18 @@ class Prospects:
     K_prior: float
     K_prior_std: float
     information: NDArray[np.float64]
+    at_limit: tuple[str, ...] = ()
+    odd_speed: tuple[Finding, ...] = ()
+
+    @property
+    def is_outside(self) -> bool:
+        """Whether K or a group ends outside the population, as `identify` would say whatever was learnt."""
+        return bool(self.at_limit) or not is_usual(self.K_away, self.K_prior_std)
+
+    @property
+    def K_away(self) -> float:
+        """Logarithm of K over the population's [-]."""
+        return float(np.log(self.K / self.K_prior))
 
     @property
     def K_std(self) -> float:
@@ -122,9 +138,10 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
     gentle = [times for times in MORE if drive.is_linear(times)]
     short = [times for times in MORE if times * log.samples <= MOST_ROWS]
     calibrated = _drive(replace(setup, input_scale_sd=STEER_KNOWN), done).predict()["K"]
+    verdict = _verdict(unknowns["K"])
     return Prospects(
         unknowns=unknowns,
-        verdict=_verdict(unknowns["K"]),
+        verdict=verdict,
         goal=worse * goal,
         steer_times=_least(gentle, lambda times: drive.predict(steer=times)["K"], goal),
         long_times=_least(short, lambda times: drive.predict(long=int(times))["K"], goal),
@@ -139,6 +156,8 @@ def prospects(log: Log, vehicle: Vehicle) -> Prospects | None:
         K_prior=float(prior.mean[0]),
         K_prior_std=float(prior.std[0]),
         information=done.output("information_gained"),
+        at_limit=edges(done),
+        odd_speed=() if verdict == "not_excited" else speed_unit_doubts(ready, whole_log(ready, done)),
     )
 
 

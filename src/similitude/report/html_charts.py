@@ -194,7 +194,7 @@ def _information(run: Run, along: dict) -> Chart:
     gained = run.trace.information
     return Chart(
         "Information about ln K",
-        "gained since the start, given everything else",
+        "gained since the start, given everything else; K wanders, so what is long ago counts less by now",
         lines=(
             Line("gained", gained, "gained", width=1.6),
             Line(f"±15 % takes {ENOUGH:.0f}", np.full(gained.size, ENOUGH), "ink", width=1.0, dashed=True),

@@ -288,6 +288,10 @@
     box.setAttribute("aria-label", `${spec.title}: ${spec.y_label} over ${spec.x_label}`);
     live.push({ name, spec, box, legend: place.querySelector(".legend"), plot: null, hidden: new Set() });
   }
+  for (const chart of live) {  // charts that zoom together show the same whole, also those of fewer samples
+    const ranges = live.filter(other => group(other) === group(chart)).map(other => other.spec.x_range);
+    chart.spec.x_range = [Math.min(...ranges.map(one => one[0])), Math.max(...ranges.map(one => one[1]))];
+  }
   repaint();
   new ResizeObserver(() => {
     for (const { plot, box, spec } of live)
