@@ -123,6 +123,7 @@ def _shared(
     for name, chain in parameters.items():
         column = f.diff(sp.Symbol(name, real=True)) * chain
         named |= {f"f_{x.name}_{name}": column[i].xreplace(path) for i, x in enumerate(states)}
+    named = {name: sp.factor_terms(e) for name, e in named.items()}  # what all terms hold, once
     functions, named = spelt_functions(named)
     loads = arguments(named)
     named, reciprocals = _reciprocals(named | loads)

@@ -24,8 +24,8 @@ _HEADER = """\
  * Contract
  *   Language   C99, freestanding: includes nothing, calls nothing but compiler arithmetic. No heap, no libm.
  *   Memory     no globals. The caller owns the state: {states} reals, {state_bytes} bytes.
- *   Time       bounded: a step has no loop and at most {most} operations; saving and restoring loop a
- *              constant number of times.
+ *   Time       bounded: a step has no loop and at most {most} operations; init, saving and restoring
+ *              loop a constant number of times.
  *   Names      every symbol begins with {name}_.
  *   Samples    any bits may come in{except_fed}, NaN and infinity included. A sample that cannot be
  *              used changes the status, never the ability to use the next one; what goes out is finite.
@@ -100,7 +100,7 @@ _SOURCE = """\
 #define SIMILITUDE_API
 #define SIMILITUDE_INLINE static inline
 #define R(x) (({name}_real)(x))
-{magnitude}
+{magnitude}{part}
 {bodies}
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
                                const {name}_sample *sample, {name}_output *output)
@@ -190,6 +190,15 @@ _MAGNITUDE = """\
 #endif
 """
 
+_PART = """\
+/* A part of the step: a function of its own, so that the compiler keeps fewer values waiting on the stack. */
+#if defined(__GNUC__)
+#define SIMILITUDE_PART static __attribute__((noinline))
+#else
+#define SIMILITUDE_PART static
+#endif
+"""
+
 
 @dataclass(frozen=True)
 class Cut:
@@ -276,6 +285,7 @@ def print_sources(
         "declarations": parts.declarations,
         "bodies": parts.bodies,
         "magnitude": _magnitude(parts.bodies, real),
+        "part": _PART if "SIMILITUDE_PART" in parts.bodies else "",
         "except_fed": FED if name.endswith("_monitor") else "",
         "contract_off": CONTRACT_OFF,
         "version_word": int(hashlib.sha256((real + parts.declarations).encode()).hexdigest()[:8], 16),

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from similitude.errors import UsageError
 
 LEVEL = "-Os"
+IN_ORDER = "-fno-tree-ter"  # gcc: values are worked out where they stand, not held back until they are used
 CONTRACT_OFF = "SIMILITUDE_CONTRACT_OFF"  # the build says that it forbids fused multiply-add
 LANGUAGE = ("-std=c99", LEVEL, "-ffp-contract=off", f"-D{CONTRACT_OFF}")
 SECTIONS = ("-ffreestanding", "-ffunction-sections", "-fdata-sections")
@@ -53,7 +54,7 @@ TARGETS: dict[str, Target] = {
             "cortex-m4f",
             "Arm Cortex-M4 with single-precision floating point",
             "arm-none-eabi-gcc",
-            ("-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"),
+            ("-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", IN_ORDER),
             REALS,
             ("qemu-system-arm", "-machine", "mps2-an386"),
             25e6,
@@ -63,7 +64,7 @@ TARGETS: dict[str, Target] = {
             "cortex-m3",
             "Arm Cortex-M3, floating point in software",
             "arm-none-eabi-gcc",
-            ("-mcpu=cortex-m3", "-mthumb"),
+            ("-mcpu=cortex-m3", "-mthumb", IN_ORDER),
             REALS,
             ("qemu-system-arm", "-machine", "mps2-an385"),
             25e6,
@@ -73,7 +74,7 @@ TARGETS: dict[str, Target] = {
             "cortex-m0",
             "Arm Cortex-M0, floating point in software",
             "arm-none-eabi-gcc",
-            ("-mcpu=cortex-m0", "-mthumb"),
+            ("-mcpu=cortex-m0", "-mthumb", IN_ORDER),
             REALS,
             ("qemu-system-arm", "-machine", "microbit"),
             16e6,
@@ -83,7 +84,7 @@ TARGETS: dict[str, Target] = {
             "rv32",
             "RISC-V RV32IMAC, floating point in software",
             "riscv64-unknown-elf-gcc",
-            ("-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany"),
+            ("-march=rv32imac", "-mabi=ilp32", "-mcmodel=medany", IN_ORDER),
             REALS,
             ("qemu-system-riscv32", "-machine", "virt"),
             packages="gcc-riscv64-unknown-elf qemu-system-misc",
@@ -92,7 +93,7 @@ TARGETS: dict[str, Target] = {
             "avr",
             "ATmega328P, floating point in software",
             "avr-gcc",
-            ("-mmcu=atmega328p",),
+            ("-mmcu=atmega328p", IN_ORDER),
             ("float", "fixed"),
             unit="cycles",
             packages="gcc-avr avr-libc libsimavr-dev libelf-dev",

@@ -14,6 +14,7 @@ from similitude.elementary import spelt_functions
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.estimators.filter_jump import heard, jump, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
+from similitude.program.parts import as_part
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
 from similitude.sampling import ImplicitStep
@@ -54,7 +55,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         row |= {at[u]: step.by_parameter[u][i] for u in layout.unknowns}
         rows[at[name]] = row
     added = S("disturbance_scale") * S("w_nominal") * (1 - S("keep_w") * S("keep_w"))
-    lines += predict(
+    propagated = predict(
         layout.covariance,
         rows,
         Shared(
@@ -78,6 +79,7 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         }
         | ({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
     )
+    lines += as_part("propagate", propagated)
     lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
     prior = {n: S(f"{n}_prior") for n in layout.wandering}
     lines += [Assign(n, x0 + S(f"keep_{n}") * (S(n) - x0)) for n, x0 in prior.items()]
@@ -214,7 +216,8 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     P = layout.covariance
     names = layout.coordinates
     t = names.index(layout.target)
-    lines: list[Statement] = list(column(P, H, "c"))
+    early = sorted({*H, t})
+    lines: list[Statement] = list(column(P, H, "c", early))
     total = sp.Add(*(entry * S(f"c_{k}") for k, entry in H.items())) + S("noise")
     nu = S("innovation")
     lines += [
@@ -239,7 +242,9 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        surprise(_linear(layout)),
+        Assign("linear", sp.Piecewise((1, _linear(layout)), (0, True)), "1 in the model's linear range"),
+        Assign("odd", sp.Min(S("nis"), 9) - 1, "by how much it is not as expected"),
+        surprise(),
         Assign("learn", S("excited") * S("inv_spread")),
         heard(),
         *jump(),
@@ -259,21 +264,26 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: "learn"}
     weight |= dict.fromkeys(layout.seldom, "learn_seldom") | dict.fromkeys(layout.wandering, "inv_spread")
+    gained, nu = S("gained"), S("innovation")
     lines += [
-        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in gains.items()
-    ]
-    gained = S("gained")
-    lines += [
+        Assign(gains[t].name, S(f"c_{t}") * S(weight[layout.target])),
         Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
         Assign(
             "information",
             S("information") + gained * (1 + gained) * S("inv_P"),
             "1/variance gained",
         ),
+        Assign("move", S("move") + gains[t] * nu),
     ]
     order = {"inv_spread": 0, "learn": 1, "learn_slow": 2, "learn_seldom": 3}
-    lines += reduce_by(P, gains, {i: order[weight.get(names[i], "inv_spread")] for i in gains}, "c")
-    lines += _state_update(layout, gains)
+    others = {i: gain for i, gain in gains.items() if i != t}
+    ranks = {i: order[weight.get(names[i], "inv_spread")] for i in gains}
+    corrected = column(P, H, "c", (i for i in range(P.n) if i not in early))
+    corrected += [
+        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in others.items()
+    ]
+    corrected += [*reduce_by(P, gains, ranks, "c"), *_state_update(layout, others)]
+    lines += as_part("correct", corrected)
     lines += _adapt(layout)
     return lines
 
@@ -296,15 +306,14 @@ def _linear(layout: Layout) -> sp.Basic:
     return S("validity") < S("validity_limit") ** 2
 
 
-def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
+def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
+    """Every coordinate but the first unknown, which moves at the end of the step."""
     nu = S("innovation")
-    lines: list[Statement] = []
+    lines: list[Assign] = []
     kinds = {u.name: u for u in layout.reduction.unknowns}
     for i, gain in gains.items():
         name = layout.coordinates[i]
-        if name == layout.target:
-            lines.append(Assign("move", S("move") + gain * nu))
-        elif name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
+        if name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
             lines += move_log(name, f"move_{name}")
         else:
@@ -312,14 +321,14 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Statem
     return lines
 
 
-def _move(unknown: Unknown, by: str) -> list[Statement]:
+def _move(unknown: Unknown, by: str) -> list[Assign]:
     """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
     if unknown.kind == "linear":
         return [Assign(unknown.name, unknown.symbol + S(by))]
     return move_log(unknown.name, by)
 
 
-def move_log(name: str, by: str) -> list[Statement]:
+def move_log(name: str, by: str) -> list[Assign]:
     """Move a positive state by so much of its logarithm, at most one at a time."""
     bounded = S(f"bounded_{by}")
     return [
@@ -358,7 +367,7 @@ def _adapt(layout: Layout) -> list[Statement]:
         ),
         Assign(
             "noise_change",
-            sp.Min(S("dt") * S("settling"), LARGEST_STEP) * (sp.Min(S("nis"), 9) - 1) * calm,
+            sp.Min(S("dt") * S("settling"), LARGEST_STEP) * S("odd") * calm,
         ),
         Assign("noise_scale", S("noise_scale") * exponential(change)),
         *keep_within("noise_scale"),

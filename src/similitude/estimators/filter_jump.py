@@ -29,9 +29,9 @@ def quiet_drift() -> sp.Expr:
     return S("drift") + S("faint_drift") * sp.Max(0, 1 - S("heard") * S("inv_telling"))
 
 
-def surprise(linear: sp.Basic) -> Assign:
+def surprise() -> Assign:
     """Recent surprise; beyond the linear range an innovation counts as usual."""
-    told = sp.Piecewise((sp.Min(S("nis"), 9), linear), (1, True))
+    told = 1 + S("linear") * S("odd")
     mean = S("surprise") + share("surprise_rate") * (told - S("surprise"))
     return Assign("surprise", mean, "recent mean of the normalised innovation squared")
 
@@ -53,5 +53,6 @@ def jump() -> list[Assign]:
             "restlessness",
             S("restlessness") + share("noise_adapt") * (S("above") * S("above") - S("restlessness")),
         ),
-        Assign("jump", sp.Piecewise((beyond, sp.And(beyond > 0, stands_out)), (0, True))),
+        Assign("rise", sp.Piecewise((beyond, stands_out), (0, True))),
+        Assign("jump", sp.Max(S("rise"), 0)),
     ]

@@ -20,6 +20,7 @@ from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, OFFSET
 from similitude.estimators.filter_jump import share
 from similitude.model import Quantity
 from similitude.program.ir import Assign, Statement, When, shared
+from similitude.program.parts import as_part
 from similitude.program.symmetric import column, reduce_by
 
 HALF = sp.Rational(1, 2)
@@ -41,7 +42,7 @@ def further_updates(layout: Layout) -> list[Statement]:
     for q in layout.further:
         measured, limit = S(f"{q.name}_measured"), S(f"{q.name}_limit")
         body = (*_predict(layout, q), *_correct(layout, q), *_adapt(q))
-        lines.append(When(sp.And(measured > -limit, measured < limit), body, (), f"{q.name} is measured too"))
+        lines.append(When(sp.Abs(measured) < limit, body, (), f"{q.name} is measured too"))
     return lines
 
 
@@ -105,8 +106,18 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
     gains = {i: S(f"{n}_gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     rank = {spread.name: 0} | {f"{n}_{kind}": k for k, kind in enumerate(LEAVES, start=1)}
     gained = S(f"{n}_gained")
+    early = sorted({*H, t})
+    corrected = column(P, H, f"{n}_c", (i for i in range(P.n) if i not in early))
+    corrected += [
+        Assign(g.name, S(f"{n}_c_{i}") * S(leave.get(names[i], spread.name)))
+        for i, g in gains.items()
+        if i != t
+    ]
+    ranks = {i: rank[leave.get(names[i], spread.name)] for i in gains}
+    corrected += reduce_by(P, gains, ranks, f"{n}_c")
+    corrected += _moves(layout, n, {i: g for i, g in gains.items() if i != t})
     return [
-        *column(P, H, f"{n}_c"),
+        *column(P, H, f"{n}_c", early),
         Assign(nu.name, S(f"{n}_measured") - away),
         Assign(spread.name, 1 / total),
         Assign(f"{n}_nis", nu * nu * spread, "normalised innovation squared"),
@@ -115,12 +126,12 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
             Assign(f"{n}_{kind}", sp.Piecewise((spread, S(kind) > 0), (0, True)), "where the first may learn")
             for kind in LEAVES
         ),
-        *(Assign(g.name, S(f"{n}_c_{i}") * S(leave.get(names[i], spread.name))) for i, g in gains.items()),
+        Assign(gains[t].name, S(f"{n}_c_{t}") * S(leave.get(layout.target, spread.name))),
         Assign(f"{n}_inv_P", 1 / P[t, t]),
         Assign(gained.name, gains[t] * S(f"{n}_c_{t}") * S(f"{n}_inv_P"), "share of the variance removed"),
         Assign("information", S("information") + gained * (1 + gained) * S(f"{n}_inv_P")),
-        *reduce_by(P, gains, {i: rank[leave.get(names[i], spread.name)] for i in gains}, f"{n}_c"),
-        *_move(layout, n, gains),
+        Assign("move", S("move") + gains[t] * nu),
+        *as_part(f"correct_by_{n}", corrected),
     ]
 
 
@@ -131,14 +142,13 @@ def _leave(layout: Layout, n: str) -> dict[str, str]:
     return {name: weight for name, weight in leave.items() if name not in layout.wandering}
 
 
-def _move(layout: Layout, n: str, gains: Mapping[int, sp.Symbol]) -> list[Statement]:
+def _moves(layout: Layout, n: str, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
+    """Every coordinate but the first unknown, which moves at the end of the step."""
     nu, lines = S(f"{n}_innovation"), []
     logs = {u.name for u in layout.reduction.unknowns if u.kind == "log"} | {INPUT_SCALE}
     for i, gain in gains.items():
         name = layout.coordinates[i]
-        if name == layout.target:
-            lines.append(Assign("move", S("move") + gain * nu))
-        elif name in logs:
+        if name in logs:
             lines += [Assign(f"{n}_move_{name}", gain * nu), *move_log(name, f"{n}_move_{name}")]
         else:
             lines.append(Assign(name, S(name) + gain * nu))

@@ -17,6 +17,9 @@ from similitude.status import STATUS
 
 AGAIN = Assign("waiting", S("settle_samples") + 1)
 WAS_USABLE = S("waiting") <= S("settle_samples")
+IS_MISSING = sp.And(
+    S("status") > STATUS["no_measurement"] - HALF, S("status") < STATUS["no_measurement"] + HALF
+)
 NOT_YET = S("status") < STATUS["not_excited"] + HALF  # nothing was said of this sample
 
 
@@ -51,16 +54,9 @@ def gates(r: Regression) -> list[Statement]:
     )
     use_output = (Assign("output_step", change), Assign("y_now", S("measured")))
     last_scale = Assign("scale_now", S(f"last_{r.speed}"))
-    held = (
-        Assign("input_step", sp.Integer(0)),
-        Assign("output_step", sp.Integer(0)),
-        last_scale,
-        Assign("y_now", S("last_measured")),
-        When(inputs, use_inputs, (), "a missing input or scale is held"),
-        When(output, use_output, (), "so is an output"),
-        AGAIN,
-        set_status("no_measurement"),
-    )
+    missing = set_status("no_measurement")
+    held_inputs = (Assign("input_step", sp.Integer(0)), last_scale, missing)
+    held_output = (Assign("output_step", sp.Integer(0)), Assign("y_now", S("last_measured")), missing)
     counted = When(S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row")
     slow = (
         last_scale,
@@ -68,7 +64,9 @@ def gates(r: Regression) -> list[Statement]:
         When(NOT_YET, (set_status("too_slow"),)),
     )
     return [
-        When(sp.And(inputs, output), (*use_inputs, *use_output, counted), held),
+        When(inputs, use_inputs, held_inputs, "a missing input or scale is held"),
+        When(output, use_output, held_output, "so is an output"),
+        When(IS_MISSING, (AGAIN,), (counted,)),
         When(sp.Not(S("scale_now") > S(f"{r.speed}_least")), slow, (), "too slow to see the dynamics"),
         Assign(f"last_{r.speed}", S("scale_now")),
         Assign("last_measured", S("y_now")),

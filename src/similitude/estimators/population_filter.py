@@ -42,7 +42,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 WORKING = frozenset(
     "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
     "inv_dt inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale "
-    "lost nis noise noise_change output_rate output_scale p pp q qq ramp response "
+    "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise "
     "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
 )
@@ -218,7 +218,7 @@ def _handed_out(layout: Layout, *lines: Assign) -> tuple[Assign, ...]:
 
 
 def _within(x: sp.Symbol, limit: str) -> sp.Basic:
-    return sp.And(x > -S(limit), x < S(limit))
+    return sp.Abs(x) < S(limit)
 
 
 def _gates(layout: Layout) -> list[Statement]:
@@ -240,7 +240,7 @@ def _gates(layout: Layout) -> list[Statement]:
             )
             for now, given, last, limit in read
         ),
-        When(sp.Not(_within(S("measured"), "output_limit")), none, (), "no measurement"),
+        When(_within(S("measured"), "output_limit"), (), none, "no measurement"),
         When(
             S("started") < 0.5,
             (
@@ -377,7 +377,7 @@ def _after(layout: Layout) -> list[Statement]:
     for name in moving:
         hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
     clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
-    at_limit = When(S("usable") > 0.5, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
+    at_limit = When(S("usable") > sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
     lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
     lines += _handed_out(
         layout,
@@ -386,5 +386,9 @@ def _after(layout: Layout) -> list[Statement]:
     )
     lines.append(Assign("last_input", S("u_now")))
     lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
-    lines.append(When(S("usable") > 0.5, (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))))
+    lines.append(
+        When(
+            S("usable") > sp.Rational(1, 2), (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))
+        )
+    )
     return lines

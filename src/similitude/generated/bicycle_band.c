@@ -30,6 +30,9 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_band_real;
 #define R(x) ((bicycle_band_real)(x))
@@ -132,27 +135,18 @@ SIMILITUDE_API void bicycle_band_init(const bicycle_band_config *config, bicycle
 {
     bicycle_band_real *const input_memory = state->input_memory;
     bicycle_band_real *const output_memory = state->output_memory;
+    int i;
+    for (i = 0; i < 8; ++i) {
+        input_memory[i] = R(0.0);
+    }
+    for (i = 0; i < 8; ++i) {
+        output_memory[i] = R(0.0);
+    }
     state->K = config->K_start;
     state->input_gain = (-config->sample_time/(config->rho*(config->pi1 - R(1.0))));
     state->damping = (-config->sample_time*(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
     state->Q = R(0.0);
     state->A = R(0.0);
-    input_memory[0] = R(0.0);
-    input_memory[1] = R(0.0);
-    input_memory[2] = R(0.0);
-    input_memory[3] = R(0.0);
-    input_memory[4] = R(0.0);
-    input_memory[5] = R(0.0);
-    input_memory[6] = R(0.0);
-    input_memory[7] = R(0.0);
-    output_memory[0] = R(0.0);
-    output_memory[1] = R(0.0);
-    output_memory[2] = R(0.0);
-    output_memory[3] = R(0.0);
-    output_memory[4] = R(0.0);
-    output_memory[5] = R(0.0);
-    output_memory[6] = R(0.0);
-    output_memory[7] = R(0.0);
     state->input_before = R(0.0);
     state->output_before = R(0.0);
     state->excitation = R(0.0);

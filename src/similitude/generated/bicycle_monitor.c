@@ -4,7 +4,7 @@
  *   base: m, L, U
  *   follows: K; held: K, pi1, eta, rho
  *
- * Operations: step 1196 at most, 18 at least (arithmetic, comparisons, selects), init 0.
+ * Operations: step 1163 at most, 18 at least (arithmetic, comparisons, selects), init 0.
  * Memory: state 59 reals, configuration 41 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -27,6 +27,9 @@
 #else
 #define SIMILITUDE_INLINE static inline
 #endif
+#endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
 #endif
 
 typedef SIMILITUDE_REAL bicycle_monitor_real;
@@ -371,32 +374,29 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real inv0 = (R(1.0)/state->rho_held);
         const bicycle_monitor_real inv1 = (R(1.0)/(state->pi1_held - R(1.0)));
         const bicycle_monitor_real c0 = (-state->r_star_held);
-        const bicycle_monitor_real c1 = (inv_U*inv_U);
-        const bicycle_monitor_real c2 = state->v_star_held + state->pi1_held*state->r_star_held;
-        const bicycle_monitor_real c3 = c2 - u_held;
-        const bicycle_monitor_real c4 = c0 + c2;
-        const bicycle_monitor_real c5 = c1*state->pi1_held;
-        const bicycle_monitor_real c6 = c5*state->eta_held;
+        const bicycle_monitor_real c1 = state->pi1_held*state->r_star_held;
+        const bicycle_monitor_real c2 = state->eta_held*(c0 + c1 + state->v_star_held);
+        const bicycle_monitor_real c3 = inv1*state->pi1_held;
+        const bicycle_monitor_real c4 = u_held - c1 - state->v_star_held;
+        const bicycle_monitor_real c5 = state->K_held*(inv_U*inv_U);
+        const bicycle_monitor_real c6 = c5*inv0;
         const bicycle_monitor_real c7 = c6*inv1;
-        const bicycle_monitor_real c8 = c1*inv0;
-        const bicycle_monitor_real c9 = c8*state->eta_held*inv1;
-        const bicycle_monitor_real c10 = (-state->r_star_plain);
-        const bicycle_monitor_real c11 = state->v_star_plain + state->pi1_held*state->r_star_plain;
-        const bicycle_monitor_real c12 = c11 - u_plain;
-        const bicycle_monitor_real c13 = c10 + c11;
-        const bicycle_monitor_real c14 = R(0.16666666666666666)*h;
-        const bicycle_monitor_real c15 = state->K_held*c14;
-        const bicycle_monitor_real c16 = state->K_held*c1;
-        const bicycle_monitor_real f_v_star_held = c0 + state->K_held*(c4*c7 - c1*c3); /* rate [-] */
-        const bicycle_monitor_real f_r_star_held = state->K_held*(c1*c3*inv0*inv1 - c4*c9); /* rate [-] */
-        const bicycle_monitor_real f_v_star_plain = c10 + state->K_held*(c13*c7 - c1*c12);
-        const bicycle_monitor_real f_r_star_plain = state->K_held*(c1*c12*inv0*inv1 - c13*c9);
-        const bicycle_monitor_real J_00 = c15*(c7 - c1);
-        const bicycle_monitor_real J_01 = c14*(state->K_held*(c6 - c5) - R(1.0));
-        const bicycle_monitor_real J_10 = c15*(c1*inv0*inv1 - c9);
-        const bicycle_monitor_real J_11 = c15*(c1*inv0*inv1*state->pi1_held - c8*state->eta_held);
-        const bicycle_monitor_real f_v_star_held_u_held = c16;
-        const bicycle_monitor_real f_r_star_held_u_held = (-c16*inv0*inv1);
+        const bicycle_monitor_real c8 = (-state->r_star_plain);
+        const bicycle_monitor_real c9 = state->pi1_held*state->r_star_plain;
+        const bicycle_monitor_real c10 = state->eta_held*(c8 + c9 + state->v_star_plain);
+        const bicycle_monitor_real c11 = u_plain - c9 - state->v_star_plain;
+        const bicycle_monitor_real c12 = R(0.16666666666666666)*h;
+        const bicycle_monitor_real c13 = state->eta_held - R(1.0);
+        const bicycle_monitor_real f_v_star_held = c0 + c5*(c4 + c2*c3); /* rate [-] */
+        const bicycle_monitor_real f_r_star_held = c7*((-c2) - c4); /* rate [-] */
+        const bicycle_monitor_real f_v_star_plain = c8 + c5*(c11 + c10*c3);
+        const bicycle_monitor_real f_r_star_plain = c7*((-c10) - c11);
+        const bicycle_monitor_real J_00 = c12*c5*(c3*state->eta_held - R(1.0));
+        const bicycle_monitor_real J_01 = c12*(c13*c5*state->pi1_held - R(1.0));
+        const bicycle_monitor_real J_10 = (-c12*c13*c7);
+        const bicycle_monitor_real J_11 = c12*c6*(inv1*state->pi1_held - state->eta_held);
+        const bicycle_monitor_real f_v_star_held_u_held = c5;
+        const bicycle_monitor_real f_r_star_held_u_held = (-c7);
         const bicycle_monitor_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_monitor_real p1 = (-J_00) - J_11;
         const bicycle_monitor_real n0 = R(1.0) - R(1.5)*p0;
@@ -445,16 +445,19 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real PW_1 = P[4];
         const bicycle_monitor_real FP_0_1 = F_v_star_held_u_held*PW_1 + M_00*P[1]*ratio_v_star + M_01*P[3]*ratio_r_star;
         const bicycle_monitor_real FP_1_1 = F_r_star_held_u_held*PW_1 + M_10*P[1]*ratio_v_star + M_11*P[3]*ratio_r_star;
+        P[0] = FP_0_0*M_00*ratio_v_star + FP_0_1*M_01*ratio_r_star;
+        P[1] = FP_0_0*M_10*ratio_v_star + FP_0_1*M_11*ratio_r_star;
+        P[3] = FP_1_0*M_10*ratio_v_star + FP_1_1*M_11*ratio_r_star;
         const bicycle_monitor_real PW_2 = P[5];
         const bicycle_monitor_real FP_0_2 = F_v_star_held_u_held*PW_2 + M_00*P[2]*ratio_v_star + M_01*P[4]*ratio_r_star;
         const bicycle_monitor_real FP_1_2 = F_r_star_held_u_held*PW_2 + M_10*P[2]*ratio_v_star + M_11*P[4]*ratio_r_star;
-        const bicycle_monitor_real WPF_0 = FP_0_2;
-        P[0] = F_v_star_held_u_held*WPF_0 + FP_0_0*M_00*ratio_v_star + FP_0_1*M_01*ratio_r_star;
-        P[1] = F_r_star_held_u_held*WPF_0 + FP_0_0*M_10*ratio_v_star + FP_0_1*M_11*ratio_r_star;
         P[2] = FP_0_2*keep_w;
-        const bicycle_monitor_real WPF_1 = FP_1_2;
-        P[3] = F_r_star_held_u_held*WPF_1 + FP_1_0*M_10*ratio_v_star + FP_1_1*M_11*ratio_r_star;
         P[4] = FP_1_2*keep_w;
+        const bicycle_monitor_real WPF_0 = FP_0_2;
+        const bicycle_monitor_real WPF_1 = FP_1_2;
+        P[0] = P[0] + F_v_star_held_u_held*WPF_0;
+        P[1] = P[1] + F_r_star_held_u_held*WPF_0;
+        P[3] = P[3] + F_r_star_held_u_held*WPF_1;
         P[5] = P[5]*(keep_w*keep_w) + sample->disturbance_now*(R(1.0) - (keep_w*keep_w));
         state->v_star_held = d_v_star_held + state->v_star_held;
         state->r_star_held = d_r_star_held + state->r_star_held;
@@ -474,26 +477,23 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real inv0_fall = (R(1.0)/state->rho_held);
         const bicycle_monitor_real inv1_fall = (R(1.0)/(state->pi1_held - R(1.0)));
         const bicycle_monitor_real c0_fall = (-state->r_star_fall);
-        const bicycle_monitor_real c1_fall = (inv_U*inv_U);
-        const bicycle_monitor_real c2_fall = state->v_star_fall + state->pi1_held*state->r_star_fall;
-        const bicycle_monitor_real c3_fall = c2_fall - u_plain;
-        const bicycle_monitor_real c4_fall = c0_fall + c2_fall;
-        const bicycle_monitor_real c5_fall = c1_fall*state->pi1_held;
-        const bicycle_monitor_real c6_fall = c5_fall*state->eta_held;
+        const bicycle_monitor_real c1_fall = state->pi1_held*state->r_star_fall;
+        const bicycle_monitor_real c2_fall = state->eta_held*(c0_fall + c1_fall + state->v_star_fall);
+        const bicycle_monitor_real c3_fall = inv1_fall*state->pi1_held;
+        const bicycle_monitor_real c4_fall = u_plain - c1_fall - state->v_star_fall;
+        const bicycle_monitor_real c5_fall = K_fall*(inv_U*inv_U);
+        const bicycle_monitor_real c6_fall = c5_fall*inv0_fall;
         const bicycle_monitor_real c7_fall = c6_fall*inv1_fall;
-        const bicycle_monitor_real c8_fall = c1_fall*inv0_fall;
-        const bicycle_monitor_real c9_fall = c8_fall*state->eta_held*inv1_fall;
-        const bicycle_monitor_real c10_fall = R(0.16666666666666666)*h;
-        const bicycle_monitor_real c11_fall = K_fall*c10_fall;
-        const bicycle_monitor_real c12_fall = K_fall*c1_fall;
-        const bicycle_monitor_real f_v_star_fall_fall = c0_fall + K_fall*(c4_fall*c7_fall - c1_fall*c3_fall); /* rate [-] */
-        const bicycle_monitor_real f_r_star_fall_fall = K_fall*(c1_fall*c3_fall*inv0_fall*inv1_fall - c4_fall*c9_fall); /* rate [-] */
-        const bicycle_monitor_real J_00_fall = c11_fall*(c7_fall - c1_fall);
-        const bicycle_monitor_real J_01_fall = c10_fall*(K_fall*(c6_fall - c5_fall) - R(1.0));
-        const bicycle_monitor_real J_10_fall = c11_fall*(c1_fall*inv0_fall*inv1_fall - c9_fall);
-        const bicycle_monitor_real J_11_fall = c11_fall*(c1_fall*inv0_fall*inv1_fall*state->pi1_held - c8_fall*state->eta_held);
-        const bicycle_monitor_real f_v_star_fall_u_plain_fall = c12_fall;
-        const bicycle_monitor_real f_r_star_fall_u_plain_fall = (-c12_fall*inv0_fall*inv1_fall);
+        const bicycle_monitor_real c8_fall = R(0.16666666666666666)*h;
+        const bicycle_monitor_real c9_fall = state->eta_held - R(1.0);
+        const bicycle_monitor_real f_v_star_fall_fall = c0_fall + c5_fall*(c4_fall + c2_fall*c3_fall); /* rate [-] */
+        const bicycle_monitor_real f_r_star_fall_fall = c7_fall*((-c2_fall) - c4_fall); /* rate [-] */
+        const bicycle_monitor_real J_00_fall = c5_fall*c8_fall*(c3_fall*state->eta_held - R(1.0));
+        const bicycle_monitor_real J_01_fall = c8_fall*(c5_fall*c9_fall*state->pi1_held - R(1.0));
+        const bicycle_monitor_real J_10_fall = (-c7_fall*c8_fall*c9_fall);
+        const bicycle_monitor_real J_11_fall = c6_fall*c8_fall*(inv1_fall*state->pi1_held - state->eta_held);
+        const bicycle_monitor_real f_v_star_fall_u_plain_fall = c5_fall;
+        const bicycle_monitor_real f_r_star_fall_u_plain_fall = (-c7_fall);
         const bicycle_monitor_real p0_fall = J_00_fall*J_11_fall - J_01_fall*J_10_fall;
         const bicycle_monitor_real p1_fall = (-J_00_fall) - J_11_fall;
         const bicycle_monitor_real n0_fall = R(1.0) - R(1.5)*p0_fall;
@@ -531,26 +531,23 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         const bicycle_monitor_real inv0_rise = (R(1.0)/state->rho_held);
         const bicycle_monitor_real inv1_rise = (R(1.0)/(state->pi1_held - R(1.0)));
         const bicycle_monitor_real c0_rise = (-state->r_star_rise);
-        const bicycle_monitor_real c1_rise = (inv_U*inv_U);
-        const bicycle_monitor_real c2_rise = state->v_star_rise + state->pi1_held*state->r_star_rise;
-        const bicycle_monitor_real c3_rise = c2_rise - u_plain;
-        const bicycle_monitor_real c4_rise = c0_rise + c2_rise;
-        const bicycle_monitor_real c5_rise = c1_rise*state->pi1_held;
-        const bicycle_monitor_real c6_rise = c5_rise*state->eta_held;
+        const bicycle_monitor_real c1_rise = state->pi1_held*state->r_star_rise;
+        const bicycle_monitor_real c2_rise = state->eta_held*(c0_rise + c1_rise + state->v_star_rise);
+        const bicycle_monitor_real c3_rise = inv1_rise*state->pi1_held;
+        const bicycle_monitor_real c4_rise = u_plain - c1_rise - state->v_star_rise;
+        const bicycle_monitor_real c5_rise = K_rise*(inv_U*inv_U);
+        const bicycle_monitor_real c6_rise = c5_rise*inv0_rise;
         const bicycle_monitor_real c7_rise = c6_rise*inv1_rise;
-        const bicycle_monitor_real c8_rise = c1_rise*inv0_rise;
-        const bicycle_monitor_real c9_rise = c8_rise*state->eta_held*inv1_rise;
-        const bicycle_monitor_real c10_rise = R(0.16666666666666666)*h;
-        const bicycle_monitor_real c11_rise = K_rise*c10_rise;
-        const bicycle_monitor_real c12_rise = K_rise*c1_rise;
-        const bicycle_monitor_real f_v_star_rise_rise = c0_rise + K_rise*(c4_rise*c7_rise - c1_rise*c3_rise); /* rate [-] */
-        const bicycle_monitor_real f_r_star_rise_rise = K_rise*(c1_rise*c3_rise*inv0_rise*inv1_rise - c4_rise*c9_rise); /* rate [-] */
-        const bicycle_monitor_real J_00_rise = c11_rise*(c7_rise - c1_rise);
-        const bicycle_monitor_real J_01_rise = c10_rise*(K_rise*(c6_rise - c5_rise) - R(1.0));
-        const bicycle_monitor_real J_10_rise = c11_rise*(c1_rise*inv0_rise*inv1_rise - c9_rise);
-        const bicycle_monitor_real J_11_rise = c11_rise*(c1_rise*inv0_rise*inv1_rise*state->pi1_held - c8_rise*state->eta_held);
-        const bicycle_monitor_real f_v_star_rise_u_plain_rise = c12_rise;
-        const bicycle_monitor_real f_r_star_rise_u_plain_rise = (-c12_rise*inv0_rise*inv1_rise);
+        const bicycle_monitor_real c8_rise = R(0.16666666666666666)*h;
+        const bicycle_monitor_real c9_rise = state->eta_held - R(1.0);
+        const bicycle_monitor_real f_v_star_rise_rise = c0_rise + c5_rise*(c4_rise + c2_rise*c3_rise); /* rate [-] */
+        const bicycle_monitor_real f_r_star_rise_rise = c7_rise*((-c2_rise) - c4_rise); /* rate [-] */
+        const bicycle_monitor_real J_00_rise = c5_rise*c8_rise*(c3_rise*state->eta_held - R(1.0));
+        const bicycle_monitor_real J_01_rise = c8_rise*(c5_rise*c9_rise*state->pi1_held - R(1.0));
+        const bicycle_monitor_real J_10_rise = (-c7_rise*c8_rise*c9_rise);
+        const bicycle_monitor_real J_11_rise = c6_rise*c8_rise*(inv1_rise*state->pi1_held - state->eta_held);
+        const bicycle_monitor_real f_v_star_rise_u_plain_rise = c5_rise;
+        const bicycle_monitor_real f_r_star_rise_u_plain_rise = (-c7_rise);
         const bicycle_monitor_real p0_rise = J_00_rise*J_11_rise - J_01_rise*J_10_rise;
         const bicycle_monitor_real p1_rise = (-J_00_rise) - J_11_rise;
         const bicycle_monitor_real n0_rise = R(1.0) - R(1.5)*p0_rise;

@@ -5,7 +5,7 @@
  *   unknown: K; frozen: pi1, eta, rho
  *   one implicit step a sample: similitude.sampling
  *
- * Operations: step 403 at most, 8 at least (arithmetic, comparisons, selects), init 22.
+ * Operations: step 393 at most, 8 at least (arithmetic, comparisons, selects), init 22.
  * Memory: state 28 reals, configuration 32 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -28,6 +28,9 @@
 #else
 #define SIMILITUDE_INLINE static inline
 #endif
+#endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
 #endif
 
 typedef SIMILITUDE_REAL bicycle_output_error_real;
@@ -251,30 +254,27 @@ SIMILITUDE_INLINE int bicycle_output_error_advance(const bicycle_output_error_co
         const bicycle_output_error_real inv0 = (R(1.0)/config->rho);
         const bicycle_output_error_real inv1 = (R(1.0)/(config->pi1 - R(1.0)));
         const bicycle_output_error_real c0 = (-state->r_star);
-        const bicycle_output_error_real c1 = (inv_U*inv_U);
-        const bicycle_output_error_real c2 = state->v_star + config->pi1*state->r_star;
-        const bicycle_output_error_real c3 = c2 - u;
-        const bicycle_output_error_real c4 = c0 + c2;
-        const bicycle_output_error_real c5 = c1*config->pi1;
-        const bicycle_output_error_real c6 = c5*config->eta;
-        const bicycle_output_error_real c7 = c6*inv1;
-        const bicycle_output_error_real c8 = state->K*(c4*c7 - c1*c3);
-        const bicycle_output_error_real c9 = c1*inv0;
-        const bicycle_output_error_real c10 = c9*config->eta*inv1;
-        const bicycle_output_error_real c11 = state->K*(c1*c3*inv0*inv1 - c10*c4);
-        const bicycle_output_error_real c12 = R(0.16666666666666666)*h;
-        const bicycle_output_error_real c13 = state->K*c12;
-        const bicycle_output_error_real c14 = state->K*c1;
-        const bicycle_output_error_real f_v_star = c0 + c8; /* rate [-] */
-        const bicycle_output_error_real f_r_star = c11; /* rate [-] */
-        const bicycle_output_error_real J_00 = c13*(c7 - c1);
-        const bicycle_output_error_real J_01 = c12*(state->K*(c6 - c5) - R(1.0));
-        const bicycle_output_error_real J_10 = c13*(c1*inv0*inv1 - c10);
-        const bicycle_output_error_real J_11 = c13*(c1*inv0*inv1*config->pi1 - c9*config->eta);
-        const bicycle_output_error_real f_v_star_K = c8;
-        const bicycle_output_error_real f_r_star_K = c11;
-        const bicycle_output_error_real f_v_star_u = c14;
-        const bicycle_output_error_real f_r_star_u = (-c14*inv0*inv1);
+        const bicycle_output_error_real c1 = config->pi1*state->r_star;
+        const bicycle_output_error_real c2 = config->eta*(c0 + c1 + state->v_star);
+        const bicycle_output_error_real c3 = inv1*config->pi1;
+        const bicycle_output_error_real c4 = u - c1 - state->v_star;
+        const bicycle_output_error_real c5 = state->K*(inv_U*inv_U);
+        const bicycle_output_error_real c6 = c5*(c4 + c2*c3);
+        const bicycle_output_error_real c7 = c5*inv0;
+        const bicycle_output_error_real c8 = c7*inv1;
+        const bicycle_output_error_real c9 = c8*((-c2) - c4);
+        const bicycle_output_error_real c10 = R(0.16666666666666666)*h;
+        const bicycle_output_error_real c11 = config->eta - R(1.0);
+        const bicycle_output_error_real f_v_star = c0 + c6; /* rate [-] */
+        const bicycle_output_error_real f_r_star = c9; /* rate [-] */
+        const bicycle_output_error_real J_00 = c10*c5*(c3*config->eta - R(1.0));
+        const bicycle_output_error_real J_01 = c10*(c11*c5*config->pi1 - R(1.0));
+        const bicycle_output_error_real J_10 = (-c10*c11*c8);
+        const bicycle_output_error_real J_11 = c10*c7*(inv1*config->pi1 - config->eta);
+        const bicycle_output_error_real f_v_star_K = c6;
+        const bicycle_output_error_real f_r_star_K = c9;
+        const bicycle_output_error_real f_v_star_u = c5;
+        const bicycle_output_error_real f_r_star_u = (-c8);
         const bicycle_output_error_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_output_error_real p1 = (-J_00) - J_11;
         const bicycle_output_error_real n0 = R(1.0) - R(1.5)*p0;

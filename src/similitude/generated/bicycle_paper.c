@@ -6,7 +6,7 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 96 at most, 12 at least (arithmetic, comparisons, selects), init 23.
+ * Operations: step 93 at most, 12 at least (arithmetic, comparisons, selects), init 23.
  * Memory: state 21 reals, configuration 27 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -29,6 +29,9 @@
 #else
 #define SIMILITUDE_INLINE static inline
 #endif
+#endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
 #endif
 
 typedef SIMILITUDE_REAL bicycle_paper_real;
@@ -184,31 +187,29 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
         }
     }
     if (status < 7) {
-        if (((WITHIN(state->last_measured - sample->measured, config->output_jump)) || (waiting > config->settle_samples)) && (WITHIN(sample->U, config->signal_limit)) && (WITHIN(sample->input, config->input_limit)) && (WITHIN(sample->measured, config->output_limit))) {
+        if ((WITHIN(sample->U, config->signal_limit)) && (WITHIN(sample->input, config->input_limit))) { /* a missing input or scale is held */
             input_step = sample->input - state->last_input;
             state->last_input = sample->input;
             scale_now = sample->U;
+        } else {
+            input_step = R(0.0);
+            scale_now = state->last_U;
+            status = 4;
+        }
+        if (((WITHIN(state->last_measured - sample->measured, config->output_jump)) || (waiting > config->settle_samples)) && (WITHIN(sample->measured, config->output_limit))) { /* so is an output */
             output_step = sample->measured - state->last_measured;
             y_now = sample->measured;
+        } else {
+            output_step = R(0.0);
+            y_now = state->last_measured;
+            status = 4;
+        }
+        if ((status < 5) && (status > 3)) {
+            waiting = R(1.0) + config->settle_samples;
+        } else {
             if (waiting > R(0.5)) { /* usable samples in a row */
                 waiting = waiting - R(1.0);
             }
-        } else {
-            input_step = R(0.0);
-            output_step = R(0.0);
-            scale_now = state->last_U;
-            y_now = state->last_measured;
-            if ((WITHIN(sample->U, config->signal_limit)) && (WITHIN(sample->input, config->input_limit))) { /* a missing input or scale is held */
-                input_step = sample->input - state->last_input;
-                state->last_input = sample->input;
-                scale_now = sample->U;
-            }
-            if (((WITHIN(state->last_measured - sample->measured, config->output_jump)) || (waiting > config->settle_samples)) && (WITHIN(sample->measured, config->output_limit))) { /* so is an output */
-                output_step = sample->measured - state->last_measured;
-                y_now = sample->measured;
-            }
-            waiting = R(1.0) + config->settle_samples;
-            status = 4;
         }
         if (scale_now <= config->U_least) { /* too slow to see the dynamics */
             scale_now = state->last_U;

@@ -10,7 +10,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_paper'
-OPERATIONS = 96
+OPERATIONS = 93
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -194,28 +194,26 @@ def step(config, state, sample):
         else:
             status = 7.0
     if status < 6.5:
-        if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(U) < signal_limit) and (abs(input) < input_limit) and (abs(measured) < output_limit):
+        if (abs(U) < signal_limit) and (abs(input) < input_limit):  # a missing input or scale is held
             input_step = input - last_input
             last_input = input
             scale_now = U
-            output_step = measured - last_measured
-            y_now = measured
-            if waiting > 0.5:  # usable samples in a row
-                waiting = waiting - 1.0
         else:
             input_step = 0.0
-            output_step = 0.0
             scale_now = last_U
-            y_now = last_measured
-            if (abs(U) < signal_limit) and (abs(input) < input_limit):  # a missing input or scale is held
-                input_step = input - last_input
-                last_input = input
-                scale_now = U
-            if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(measured) < output_limit):  # so is an output
-                output_step = measured - last_measured
-                y_now = measured
-            waiting = 1.0 + settle_samples
             status = 4.0
+        if ((abs(last_measured - measured) < output_jump) or (waiting > settle_samples)) and (abs(measured) < output_limit):  # so is an output
+            output_step = measured - last_measured
+            y_now = measured
+        else:
+            output_step = 0.0
+            y_now = last_measured
+            status = 4.0
+        if (status < 4.5) and (status > 3.5):
+            waiting = 1.0 + settle_samples
+        else:
+            if waiting > 0.5:  # usable samples in a row
+                waiting = waiting - 1.0
         if scale_now <= U_least:  # too slow to see the dynamics
             scale_now = last_U
             waiting = (1.0 if (1.0) > (waiting) else waiting)

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1176 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1147 at most, 7 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 85 reals, configuration 69 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -29,9 +29,23 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_population_real;
 #define R(x) ((bicycle_population_real)(x))
+
+#if defined(__GNUC__)
+#define MAGNITUDE(x) \
+    ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \
+                                                : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
+#else
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
+#endif
 
 enum bicycle_population_status {
     BICYCLE_POPULATION_OK = 0,
@@ -168,6 +182,10 @@ typedef struct bicycle_population_output {
 SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *config, bicycle_population_state *state)
 {
     bicycle_population_real *const P = state->P;
+    int i;
+    for (i = 0; i < 55; ++i) {
+        P[i] = R(0.0);
+    }
     state->v_star = R(0.0);
     state->r_star = R(0.0);
     state->v_star_plain = R(0.0);
@@ -180,61 +198,6 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->input_scale = R(1.0);
     state->input_offset = R(0.0);
     state->output_bias = R(0.0);
-    P[0] = R(0.0);
-    P[1] = R(0.0);
-    P[2] = R(0.0);
-    P[3] = R(0.0);
-    P[4] = R(0.0);
-    P[5] = R(0.0);
-    P[6] = R(0.0);
-    P[7] = R(0.0);
-    P[8] = R(0.0);
-    P[9] = R(0.0);
-    P[10] = R(0.0);
-    P[11] = R(0.0);
-    P[12] = R(0.0);
-    P[13] = R(0.0);
-    P[14] = R(0.0);
-    P[15] = R(0.0);
-    P[16] = R(0.0);
-    P[17] = R(0.0);
-    P[18] = R(0.0);
-    P[19] = R(0.0);
-    P[20] = R(0.0);
-    P[21] = R(0.0);
-    P[22] = R(0.0);
-    P[23] = R(0.0);
-    P[24] = R(0.0);
-    P[25] = R(0.0);
-    P[26] = R(0.0);
-    P[27] = R(0.0);
-    P[28] = R(0.0);
-    P[29] = R(0.0);
-    P[30] = R(0.0);
-    P[31] = R(0.0);
-    P[32] = R(0.0);
-    P[33] = R(0.0);
-    P[34] = R(0.0);
-    P[35] = R(0.0);
-    P[36] = R(0.0);
-    P[37] = R(0.0);
-    P[38] = R(0.0);
-    P[39] = R(0.0);
-    P[40] = R(0.0);
-    P[41] = R(0.0);
-    P[42] = R(0.0);
-    P[43] = R(0.0);
-    P[44] = R(0.0);
-    P[45] = R(0.0);
-    P[46] = R(0.0);
-    P[47] = R(0.0);
-    P[48] = R(0.0);
-    P[49] = R(0.0);
-    P[50] = R(0.0);
-    P[51] = R(0.0);
-    P[52] = R(0.0);
-    P[53] = R(0.0);
-    P[54] = R(0.0);
     P[0] = (config->v_star_sd*config->v_star_sd);
     P[10] = (config->r_star_sd*config->r_star_sd);
     P[49] = (config->input_scale_sd*config->input_scale_sd);
@@ -271,6 +234,214 @@ SIMILITUDE_API void bicycle_population_init(const bicycle_population_config *con
     state->input_offset_plain = R(0.0);
 }
 
+/* A part of the step: propagate. */
+SIMILITUDE_PART void bicycle_population_propagate(
+        const bicycle_population_config *config,
+        bicycle_population_state *state,
+        const bicycle_population_sample *sample,
+        const bicycle_population_real steer,
+        const bicycle_population_real F_v_star_K,
+        const bicycle_population_real F_v_star_eta,
+        const bicycle_population_real F_v_star_pi1,
+        const bicycle_population_real F_v_star_r_star,
+        const bicycle_population_real F_v_star_rho,
+        const bicycle_population_real F_v_star_u,
+        const bicycle_population_real F_v_star_v_star,
+        const bicycle_population_real F_r_star_K,
+        const bicycle_population_real F_r_star_eta,
+        const bicycle_population_real F_r_star_pi1,
+        const bicycle_population_real F_r_star_r_star,
+        const bicycle_population_real F_r_star_rho,
+        const bicycle_population_real F_r_star_u,
+        const bicycle_population_real F_r_star_v_star,
+        const bicycle_population_real keep_w,
+        const bicycle_population_real w_nominal,
+        const bicycle_population_real diffusion)
+{
+    bicycle_population_real *const P = state->P;
+    const bicycle_population_real PW_0 = P[2] + P[8] + P[7]*steer;
+    const bicycle_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+    const bicycle_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+    const bicycle_population_real PW_1 = P[11] + P[17] + P[16]*steer;
+    const bicycle_population_real FP_0_1 = F_v_star_K*P[12] + F_v_star_eta*P[14] + F_v_star_pi1*P[13] + F_v_star_r_star*P[10] + F_v_star_rho*P[15] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+    const bicycle_population_real FP_1_1 = F_r_star_K*P[12] + F_r_star_eta*P[14] + F_r_star_pi1*P[13] + F_r_star_r_star*P[10] + F_r_star_rho*P[15] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+    P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star;
+    P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star;
+    P[10] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
+    const bicycle_population_real PW_2 = P[19] + P[25] + P[24]*steer;
+    const bicycle_population_real FP_0_2 = F_v_star_K*P[20] + F_v_star_eta*P[22] + F_v_star_pi1*P[21] + F_v_star_r_star*P[11] + F_v_star_rho*P[23] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+    const bicycle_population_real FP_1_2 = F_r_star_K*P[20] + F_r_star_eta*P[22] + F_r_star_pi1*P[21] + F_r_star_r_star*P[11] + F_r_star_rho*P[23] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+    P[2] = FP_0_2*keep_w;
+    P[11] = FP_1_2*keep_w;
+    const bicycle_population_real PW_3 = P[20] + P[32] + P[31]*steer;
+    const bicycle_population_real FP_0_3 = F_v_star_K*P[27] + F_v_star_eta*P[29] + F_v_star_pi1*P[28] + F_v_star_r_star*P[12] + F_v_star_rho*P[30] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+    const bicycle_population_real FP_1_3 = F_r_star_K*P[27] + F_r_star_eta*P[29] + F_r_star_pi1*P[28] + F_r_star_r_star*P[12] + F_r_star_rho*P[30] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+    P[3] = FP_0_3;
+    P[12] = FP_1_3;
+    P[0] = P[0] + FP_0_3*F_v_star_K;
+    P[1] = P[1] + FP_0_3*F_r_star_K;
+    P[10] = P[10] + FP_1_3*F_r_star_K;
+    const bicycle_population_real PW_4 = P[21] + P[38] + P[37]*steer;
+    const bicycle_population_real FP_0_4 = F_v_star_K*P[28] + F_v_star_eta*P[35] + F_v_star_pi1*P[34] + F_v_star_r_star*P[13] + F_v_star_rho*P[36] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+    const bicycle_population_real FP_1_4 = F_r_star_K*P[28] + F_r_star_eta*P[35] + F_r_star_pi1*P[34] + F_r_star_r_star*P[13] + F_r_star_rho*P[36] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+    P[4] = FP_0_4;
+    P[13] = FP_1_4;
+    P[0] = P[0] + FP_0_4*F_v_star_pi1;
+    P[1] = P[1] + FP_0_4*F_r_star_pi1;
+    P[10] = P[10] + FP_1_4*F_r_star_pi1;
+    const bicycle_population_real PW_5 = P[22] + P[43] + P[42]*steer;
+    const bicycle_population_real FP_0_5 = F_v_star_K*P[29] + F_v_star_eta*P[40] + F_v_star_pi1*P[35] + F_v_star_r_star*P[14] + F_v_star_rho*P[41] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+    const bicycle_population_real FP_1_5 = F_r_star_K*P[29] + F_r_star_eta*P[40] + F_r_star_pi1*P[35] + F_r_star_r_star*P[14] + F_r_star_rho*P[41] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+    P[5] = FP_0_5;
+    P[14] = FP_1_5;
+    P[0] = P[0] + FP_0_5*F_v_star_eta;
+    P[1] = P[1] + FP_0_5*F_r_star_eta;
+    P[10] = P[10] + FP_1_5*F_r_star_eta;
+    const bicycle_population_real PW_6 = P[23] + P[47] + P[46]*steer;
+    const bicycle_population_real FP_0_6 = F_v_star_K*P[30] + F_v_star_eta*P[41] + F_v_star_pi1*P[36] + F_v_star_r_star*P[15] + F_v_star_rho*P[45] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+    const bicycle_population_real FP_1_6 = F_r_star_K*P[30] + F_r_star_eta*P[41] + F_r_star_pi1*P[36] + F_r_star_r_star*P[15] + F_r_star_rho*P[45] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+    P[6] = FP_0_6;
+    P[15] = FP_1_6;
+    P[0] = P[0] + FP_0_6*F_v_star_rho;
+    P[1] = P[1] + FP_0_6*F_r_star_rho;
+    P[10] = P[10] + FP_1_6*F_r_star_rho;
+    const bicycle_population_real PW_7 = P[24] + P[50] + P[49]*steer;
+    const bicycle_population_real FP_0_7 = F_v_star_K*P[31] + F_v_star_eta*P[42] + F_v_star_pi1*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[46] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+    const bicycle_population_real FP_1_7 = F_r_star_K*P[31] + F_r_star_eta*P[42] + F_r_star_pi1*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[46] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+    P[7] = FP_0_7;
+    P[16] = FP_1_7;
+    const bicycle_population_real PW_8 = P[25] + P[52] + P[50]*steer;
+    const bicycle_population_real FP_0_8 = F_v_star_K*P[32] + F_v_star_eta*P[43] + F_v_star_pi1*P[38] + F_v_star_r_star*P[17] + F_v_star_rho*P[47] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
+    const bicycle_population_real FP_1_8 = F_r_star_K*P[32] + F_r_star_eta*P[43] + F_r_star_pi1*P[38] + F_r_star_r_star*P[17] + F_r_star_rho*P[47] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+    P[8] = FP_0_8;
+    P[17] = FP_1_8;
+    const bicycle_population_real PW_9 = P[26] + P[53] + P[51]*steer;
+    const bicycle_population_real FP_0_9 = F_v_star_K*P[33] + F_v_star_eta*P[44] + F_v_star_pi1*P[39] + F_v_star_r_star*P[18] + F_v_star_rho*P[48] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
+    const bicycle_population_real FP_1_9 = F_r_star_K*P[33] + F_r_star_eta*P[44] + F_r_star_pi1*P[39] + F_r_star_r_star*P[18] + F_r_star_rho*P[48] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+    P[9] = FP_0_9;
+    P[18] = FP_1_9;
+    const bicycle_population_real WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer;
+    const bicycle_population_real WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer;
+    P[0] = P[0] + F_v_star_u*WPF_0;
+    P[1] = P[1] + F_r_star_u*WPF_0;
+    P[10] = P[10] + F_r_star_u*WPF_1;
+    P[19] = P[19]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[20] = P[20]*keep_w;
+    P[21] = P[21]*keep_w;
+    P[22] = P[22]*keep_w;
+    P[23] = P[23]*keep_w;
+    P[24] = P[24]*keep_w;
+    P[25] = P[25]*keep_w;
+    P[26] = P[26]*keep_w;
+    P[27] = P[27] + sample->dt*(diffusion + state->jump*config->jump_drift);
+    P[54] = P[54] + config->bias_drift*sample->dt;
+}
+
+/* A part of the step: correct. */
+SIMILITUDE_PART void bicycle_population_correct(
+        bicycle_population_state *state,
+        const bicycle_population_real output_scale,
+        const bicycle_population_real inv_spread,
+        const bicycle_population_real c_1,
+        const bicycle_population_real learn_seldom,
+        const bicycle_population_real learn_slow,
+        const bicycle_population_real c_9,
+        const bicycle_population_real c_3,
+        const bicycle_population_real gain_3,
+        const bicycle_population_real innovation)
+{
+    bicycle_population_real *const P = state->P;
+    const bicycle_population_real c_0 = P[9] + P[1]*output_scale;
+    const bicycle_population_real c_2 = P[26] + P[11]*output_scale;
+    const bicycle_population_real c_4 = P[39] + P[13]*output_scale;
+    const bicycle_population_real c_5 = P[44] + P[14]*output_scale;
+    const bicycle_population_real c_6 = P[48] + P[15]*output_scale;
+    const bicycle_population_real c_7 = P[51] + P[16]*output_scale;
+    const bicycle_population_real c_8 = P[53] + P[17]*output_scale;
+    const bicycle_population_real gain_0 = c_0*inv_spread;
+    const bicycle_population_real gain_1 = c_1*inv_spread;
+    const bicycle_population_real gain_2 = c_2*inv_spread;
+    const bicycle_population_real gain_4 = c_4*learn_seldom;
+    const bicycle_population_real gain_5 = c_5*learn_slow;
+    const bicycle_population_real gain_6 = c_6*learn_slow;
+    const bicycle_population_real gain_7 = c_7*learn_slow;
+    const bicycle_population_real gain_8 = c_8*inv_spread;
+    const bicycle_population_real gain_9 = c_9*inv_spread;
+    P[0] = P[0] - c_0*gain_0;
+    P[1] = P[1] - c_1*gain_0;
+    P[2] = P[2] - c_2*gain_0;
+    P[3] = P[3] - c_3*gain_0;
+    P[4] = P[4] - c_4*gain_0;
+    P[5] = P[5] - c_5*gain_0;
+    P[6] = P[6] - c_6*gain_0;
+    P[7] = P[7] - c_7*gain_0;
+    P[8] = P[8] - c_8*gain_0;
+    P[9] = P[9] - c_9*gain_0;
+    P[10] = P[10] - c_1*gain_1;
+    P[11] = P[11] - c_2*gain_1;
+    P[12] = P[12] - c_3*gain_1;
+    P[13] = P[13] - c_4*gain_1;
+    P[14] = P[14] - c_5*gain_1;
+    P[15] = P[15] - c_6*gain_1;
+    P[16] = P[16] - c_7*gain_1;
+    P[17] = P[17] - c_8*gain_1;
+    P[18] = P[18] - c_9*gain_1;
+    P[19] = P[19] - c_2*gain_2;
+    P[20] = P[20] - c_3*gain_2;
+    P[21] = P[21] - c_4*gain_2;
+    P[22] = P[22] - c_5*gain_2;
+    P[23] = P[23] - c_6*gain_2;
+    P[24] = P[24] - c_7*gain_2;
+    P[25] = P[25] - c_8*gain_2;
+    P[26] = P[26] - c_9*gain_2;
+    P[27] = P[27] - c_3*gain_3;
+    P[28] = P[28] - c_4*gain_3;
+    P[29] = P[29] - c_5*gain_3;
+    P[30] = P[30] - c_6*gain_3;
+    P[31] = P[31] - c_7*gain_3;
+    P[32] = P[32] - c_3*gain_8;
+    P[33] = P[33] - c_3*gain_9;
+    P[34] = P[34] - c_4*gain_4;
+    P[35] = P[35] - c_4*gain_5;
+    P[36] = P[36] - c_4*gain_6;
+    P[37] = P[37] - c_4*gain_7;
+    P[38] = P[38] - c_4*gain_8;
+    P[39] = P[39] - c_4*gain_9;
+    P[40] = P[40] - c_5*gain_5;
+    P[41] = P[41] - c_6*gain_5;
+    P[42] = P[42] - c_7*gain_5;
+    P[43] = P[43] - c_5*gain_8;
+    P[44] = P[44] - c_5*gain_9;
+    P[45] = P[45] - c_6*gain_6;
+    P[46] = P[46] - c_7*gain_6;
+    P[47] = P[47] - c_6*gain_8;
+    P[48] = P[48] - c_6*gain_9;
+    P[49] = P[49] - c_7*gain_7;
+    P[50] = P[50] - c_7*gain_8;
+    P[51] = P[51] - c_7*gain_9;
+    P[52] = P[52] - c_8*gain_8;
+    P[53] = P[53] - c_9*gain_8;
+    P[54] = P[54] - c_9*gain_9;
+    state->v_star = state->v_star + gain_0*innovation;
+    state->r_star = state->r_star + gain_1*innovation;
+    state->disturbance = state->disturbance + gain_2*innovation;
+    state->pi1 = state->pi1 + gain_4*innovation;
+    const bicycle_population_real move_eta = gain_5*innovation;
+    const bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+    const bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+    state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+    const bicycle_population_real move_rho = gain_6*innovation;
+    const bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+    const bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+    state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+    const bicycle_population_real move_input_scale = gain_7*innovation;
+    const bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+    const bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+    state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+    state->input_offset = state->input_offset + gain_8*innovation;
+    state->output_bias = state->output_bias + gain_9*innovation;
+}
+
 /* What the step and the batch loop do with one sample. */
 SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config *config, bicycle_population_state *state,
                                      const bicycle_population_sample *sample, bicycle_population_output *output)
@@ -295,7 +466,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     bicycle_population_real rho_now = R(0.0);
     int status = 0;
     bicycle_population_real u_now = R(0.0);
-    bicycle_population_real usable = R(0.0);
+    int usable = 0;
     bicycle_population_real variance = R(0.0);
 
     status = 0;
@@ -305,25 +476,25 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     noise_now = innovation_variance;
     disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
-        usable = R(1.0);
+        usable = 1;
         anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
-        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+        if (WITHIN(sample->input, config->input_limit)) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+        if (WITHIN(sample->U, config->signal_limit)) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
-            usable = R(0.0);
+        if (!(WITHIN(sample->measured, config->output_limit))) { /* no measurement */
+            usable = 0;
             status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
@@ -331,14 +502,14 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             state->last_input = u_now;
             state->last_U = U_now;
         }
-        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+        if ((state->age > config->gap) && (usable > 0)) { /* the first sample after a gap */
             status = 5;
             anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = 1;
             state->started = R(0.0);
-            usable = R(0.0);
+            usable = 0;
             status = 6;
         }
         if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
@@ -408,53 +579,44 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real inv0 = (R(1.0)/state->rho);
         const bicycle_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
         const bicycle_population_real c0 = (-state->r_star);
-        const bicycle_population_real c1 = (inv_U*inv_U);
-        const bicycle_population_real c2 = state->v_star + state->pi1*state->r_star;
-        const bicycle_population_real c3 = c2 - u;
-        const bicycle_population_real c4 = c0 + c2;
-        const bicycle_population_real c5 = c1*state->pi1;
-        const bicycle_population_real c6 = c5*state->eta;
+        const bicycle_population_real c1 = state->pi1*state->r_star;
+        const bicycle_population_real c2 = state->eta*(c0 + c1 + state->v_star);
+        const bicycle_population_real c3 = inv1*state->pi1;
+        const bicycle_population_real c4 = u - c1 - state->v_star;
+        const bicycle_population_real c5 = state->K*(inv_U*inv_U);
+        const bicycle_population_real c6 = c5*inv0;
         const bicycle_population_real c7 = c6*inv1;
-        const bicycle_population_real c8 = c1*inv0;
-        const bicycle_population_real c9 = c8*state->eta*inv1;
-        const bicycle_population_real c10 = (-state->r_star_plain);
-        const bicycle_population_real c11 = state->v_star_plain + state->pi1*state->r_star_plain;
-        const bicycle_population_real c12 = c11 - u_plain;
-        const bicycle_population_real c13 = c1*c12;
-        const bicycle_population_real c14 = c10 + c11;
-        const bicycle_population_real c15 = c14*c7;
-        const bicycle_population_real c16 = state->K*(c15 - c13);
-        const bicycle_population_real c17 = state->K*(c1*c12*inv0*inv1 - c14*c9);
+        const bicycle_population_real c8 = (-state->r_star_plain);
+        const bicycle_population_real c9 = state->pi1*state->r_star_plain;
+        const bicycle_population_real c10 = c9 + state->v_star_plain;
+        const bicycle_population_real c11 = c10 + c8;
+        const bicycle_population_real c12 = c11*state->eta;
+        const bicycle_population_real c13 = c12*c3;
+        const bicycle_population_real c14 = u_plain - c9 - state->v_star_plain;
+        const bicycle_population_real c15 = c5*(c13 + c14);
+        const bicycle_population_real c16 = c12 + c14;
+        const bicycle_population_real c17 = (-c16*c7);
         const bicycle_population_real c18 = R(0.16666666666666666)*h;
-        const bicycle_population_real c19 = state->K*c18;
-        const bicycle_population_real c20 = c8*state->eta;
-        const bicycle_population_real c21 = c1*state->r_star_plain;
-        const bicycle_population_real c22 = (inv1*inv1);
-        const bicycle_population_real c23 = c14*c22;
-        const bicycle_population_real c24 = inv0*inv1;
-        const bicycle_population_real c25 = c21*c24;
-        const bicycle_population_real c26 = c14*state->eta;
-        const bicycle_population_real c27 = state->K*c1;
-        const bicycle_population_real c28 = c24*c27;
-        const bicycle_population_real c29 = (inv0*inv0);
-        const bicycle_population_real f_v_star = c0 + state->K*(c4*c7 - c1*c3); /* rate [-] */
-        const bicycle_population_real f_r_star = state->K*(c1*c3*inv0*inv1 - c4*c9); /* rate [-] */
-        const bicycle_population_real f_v_star_plain = c10 + c16;
+        const bicycle_population_real c19 = state->eta - R(1.0);
+        const bicycle_population_real c20 = c12*inv1;
+        const bicycle_population_real f_v_star = c0 + c5*(c4 + c2*c3); /* rate [-] */
+        const bicycle_population_real f_r_star = c7*((-c2) - c4); /* rate [-] */
+        const bicycle_population_real f_v_star_plain = c15 + c8;
         const bicycle_population_real f_r_star_plain = c17;
-        const bicycle_population_real J_00 = c19*(c7 - c1);
-        const bicycle_population_real J_01 = c18*(state->K*(c6 - c5) - R(1.0));
-        const bicycle_population_real J_10 = c19*(c1*inv0*inv1 - c9);
-        const bicycle_population_real J_11 = c19*(c1*inv0*inv1*state->pi1 - c20);
-        const bicycle_population_real f_v_star_K = c16;
+        const bicycle_population_real J_00 = c18*c5*(c3*state->eta - R(1.0));
+        const bicycle_population_real J_01 = c18*(c19*c5*state->pi1 - R(1.0));
+        const bicycle_population_real J_10 = (-c18*c19*c7);
+        const bicycle_population_real J_11 = c18*c6*(inv1*state->pi1 - state->eta);
+        const bicycle_population_real f_v_star_K = c15;
         const bicycle_population_real f_r_star_K = c17;
-        const bicycle_population_real f_v_star_pi1 = state->K*(c1*c14*state->eta*inv1 + c1*state->eta*inv1*state->pi1*state->r_star_plain - c21 - c23*c6);
-        const bicycle_population_real f_r_star_pi1 = state->K*(c25 + c20*c23 - c25*state->eta - c13*c22*inv0);
-        const bicycle_population_real f_v_star_eta = state->K*c15;
-        const bicycle_population_real f_r_star_eta = (-c26*c28);
+        const bicycle_population_real f_v_star_pi1 = c5*(c11*state->eta*inv1 + state->eta*inv1*state->pi1*state->r_star_plain - state->r_star_plain - c12*state->pi1*(inv1*inv1));
+        const bicycle_population_real f_r_star_pi1 = c7*(c20 + state->r_star_plain - state->eta*state->r_star_plain - inv1*(c10 - u_plain));
+        const bicycle_population_real f_v_star_eta = c13*c5;
+        const bicycle_population_real f_r_star_eta = (-c20*c6);
         const bicycle_population_real f_v_star_rho = R(0.0);
-        const bicycle_population_real f_r_star_rho = state->K*state->rho*(c1*c26*c29*inv1 - c13*c29*inv1);
-        const bicycle_population_real f_v_star_u = c27;
-        const bicycle_population_real f_r_star_u = (-c28);
+        const bicycle_population_real f_r_star_rho = c16*c7;
+        const bicycle_population_real f_v_star_u = c5;
+        const bicycle_population_real f_r_star_u = (-c7);
         const bicycle_population_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_population_real p1 = (-J_00) - J_11;
         const bicycle_population_real n0 = R(1.0) - R(1.5)*p0;
@@ -535,67 +697,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real F_v_star_r_star = M_01*ratio_r_star;
         const bicycle_population_real F_r_star_v_star = M_10*ratio_v_star;
         const bicycle_population_real F_r_star_r_star = M_11*ratio_r_star;
-        const bicycle_population_real PW_0 = P[2] + P[8] + P[7]*steer;
-        const bicycle_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4]) + (F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
-        const bicycle_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4]) + (F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
-        const bicycle_population_real PW_1 = P[11] + P[17] + P[16]*steer;
-        const bicycle_population_real FP_0_1 = (F_v_star_K*P[12] + F_v_star_eta*P[14] + F_v_star_pi1*P[13]) + (F_v_star_r_star*P[10] + F_v_star_rho*P[15] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
-        const bicycle_population_real FP_1_1 = (F_r_star_K*P[12] + F_r_star_eta*P[14] + F_r_star_pi1*P[13]) + (F_r_star_r_star*P[10] + F_r_star_rho*P[15] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
-        const bicycle_population_real PW_2 = P[19] + P[25] + P[24]*steer;
-        const bicycle_population_real FP_0_2 = (F_v_star_K*P[20] + F_v_star_eta*P[22] + F_v_star_pi1*P[21]) + (F_v_star_r_star*P[11] + F_v_star_rho*P[23] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
-        const bicycle_population_real FP_1_2 = (F_r_star_K*P[20] + F_r_star_eta*P[22] + F_r_star_pi1*P[21]) + (F_r_star_r_star*P[11] + F_r_star_rho*P[23] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
-        const bicycle_population_real PW_3 = P[20] + P[32] + P[31]*steer;
-        const bicycle_population_real FP_0_3 = (F_v_star_K*P[27] + F_v_star_eta*P[29] + F_v_star_pi1*P[28]) + (F_v_star_r_star*P[12] + F_v_star_rho*P[30] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
-        const bicycle_population_real FP_1_3 = (F_r_star_K*P[27] + F_r_star_eta*P[29] + F_r_star_pi1*P[28]) + (F_r_star_r_star*P[12] + F_r_star_rho*P[30] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
-        const bicycle_population_real PW_4 = P[21] + P[38] + P[37]*steer;
-        const bicycle_population_real FP_0_4 = (F_v_star_K*P[28] + F_v_star_eta*P[35] + F_v_star_pi1*P[34]) + (F_v_star_r_star*P[13] + F_v_star_rho*P[36] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
-        const bicycle_population_real FP_1_4 = (F_r_star_K*P[28] + F_r_star_eta*P[35] + F_r_star_pi1*P[34]) + (F_r_star_r_star*P[13] + F_r_star_rho*P[36] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
-        const bicycle_population_real PW_5 = P[22] + P[43] + P[42]*steer;
-        const bicycle_population_real FP_0_5 = (F_v_star_K*P[29] + F_v_star_eta*P[40] + F_v_star_pi1*P[35]) + (F_v_star_r_star*P[14] + F_v_star_rho*P[41] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
-        const bicycle_population_real FP_1_5 = (F_r_star_K*P[29] + F_r_star_eta*P[40] + F_r_star_pi1*P[35]) + (F_r_star_r_star*P[14] + F_r_star_rho*P[41] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
-        const bicycle_population_real PW_6 = P[23] + P[47] + P[46]*steer;
-        const bicycle_population_real FP_0_6 = (F_v_star_K*P[30] + F_v_star_eta*P[41] + F_v_star_pi1*P[36]) + (F_v_star_r_star*P[15] + F_v_star_rho*P[45] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
-        const bicycle_population_real FP_1_6 = (F_r_star_K*P[30] + F_r_star_eta*P[41] + F_r_star_pi1*P[36]) + (F_r_star_r_star*P[15] + F_r_star_rho*P[45] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
-        const bicycle_population_real PW_7 = P[24] + P[50] + P[49]*steer;
-        const bicycle_population_real FP_0_7 = (F_v_star_K*P[31] + F_v_star_eta*P[42] + F_v_star_pi1*P[37]) + (F_v_star_r_star*P[16] + F_v_star_rho*P[46] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
-        const bicycle_population_real FP_1_7 = (F_r_star_K*P[31] + F_r_star_eta*P[42] + F_r_star_pi1*P[37]) + (F_r_star_r_star*P[16] + F_r_star_rho*P[46] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
-        const bicycle_population_real PW_8 = P[25] + P[52] + P[50]*steer;
-        const bicycle_population_real FP_0_8 = (F_v_star_K*P[32] + F_v_star_eta*P[43] + F_v_star_pi1*P[38]) + (F_v_star_r_star*P[17] + F_v_star_rho*P[47] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
-        const bicycle_population_real FP_1_8 = (F_r_star_K*P[32] + F_r_star_eta*P[43] + F_r_star_pi1*P[38]) + (F_r_star_r_star*P[17] + F_r_star_rho*P[47] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
-        const bicycle_population_real PW_9 = P[26] + P[53] + P[51]*steer;
-        const bicycle_population_real FP_0_9 = (F_v_star_K*P[33] + F_v_star_eta*P[44] + F_v_star_pi1*P[39]) + (F_v_star_r_star*P[18] + F_v_star_rho*P[48] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
-        const bicycle_population_real FP_1_9 = (F_r_star_K*P[33] + F_r_star_eta*P[44] + F_r_star_pi1*P[39]) + (F_r_star_r_star*P[18] + F_r_star_rho*P[48] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
-        const bicycle_population_real WPF_0 = FP_0_2 + FP_0_8 + FP_0_7*steer;
-        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0);
-        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0);
-        P[2] = FP_0_2*keep_w;
-        P[3] = FP_0_3;
-        P[4] = FP_0_4;
-        P[5] = FP_0_5;
-        P[6] = FP_0_6;
-        P[7] = FP_0_7;
-        P[8] = FP_0_8;
-        P[9] = FP_0_9;
-        const bicycle_population_real WPF_1 = FP_1_2 + FP_1_8 + FP_1_7*steer;
-        P[10] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1);
-        P[11] = FP_1_2*keep_w;
-        P[12] = FP_1_3;
-        P[13] = FP_1_4;
-        P[14] = FP_1_5;
-        P[15] = FP_1_6;
-        P[16] = FP_1_7;
-        P[17] = FP_1_8;
-        P[18] = FP_1_9;
-        P[19] = P[19]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
-        P[20] = P[20]*keep_w;
-        P[21] = P[21]*keep_w;
-        P[22] = P[22]*keep_w;
-        P[23] = P[23]*keep_w;
-        P[24] = P[24]*keep_w;
-        P[25] = P[25]*keep_w;
-        P[26] = P[26]*keep_w;
-        P[27] = P[27] + sample->dt*(diffusion + state->jump*config->jump_drift);
-        P[54] = P[54] + config->bias_drift*sample->dt;
+        bicycle_population_propagate(config, state, sample, steer, F_v_star_K, F_v_star_eta, F_v_star_pi1, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_pi1, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, w_nominal, diffusion);
         state->disturbance = state->disturbance*keep_w;
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
@@ -612,16 +714,9 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         const bicycle_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const bicycle_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
-        if (usable > R(0.5)) { /* measurement */
-            const bicycle_population_real c_0 = P[9] + P[1]*output_scale;
+        if (usable > 0) { /* measurement */
             const bicycle_population_real c_1 = P[18] + P[10]*output_scale;
-            const bicycle_population_real c_2 = P[26] + P[11]*output_scale;
             const bicycle_population_real c_3 = P[33] + P[12]*output_scale;
-            const bicycle_population_real c_4 = P[39] + P[13]*output_scale;
-            const bicycle_population_real c_5 = P[44] + P[14]*output_scale;
-            const bicycle_population_real c_6 = P[48] + P[15]*output_scale;
-            const bicycle_population_real c_7 = P[51] + P[16]*output_scale;
-            const bicycle_population_real c_8 = P[53] + P[17]*output_scale;
             const bicycle_population_real c_9 = P[54] + P[18]*output_scale;
             innovation = sample->measured - predicted;
             innovation_variance = c_9 + noise + c_1*output_scale;
@@ -634,106 +729,28 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             const bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
-            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
+            const bicycle_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
+            state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_population_real learn = state->excited*inv_spread;
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
+            const bicycle_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const bicycle_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
                 state->unlearnt = R(0.0);
             }
-            const bicycle_population_real gain_0 = c_0*inv_spread;
-            const bicycle_population_real gain_1 = c_1*inv_spread;
-            const bicycle_population_real gain_2 = c_2*inv_spread;
             const bicycle_population_real gain_3 = c_3*learn;
-            const bicycle_population_real gain_4 = c_4*learn_seldom;
-            const bicycle_population_real gain_5 = c_5*learn_slow;
-            const bicycle_population_real gain_6 = c_6*learn_slow;
-            const bicycle_population_real gain_7 = c_7*learn_slow;
-            const bicycle_population_real gain_8 = c_8*inv_spread;
-            const bicycle_population_real gain_9 = c_9*inv_spread;
             const bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            P[0] = P[0] - c_0*gain_0;
-            P[1] = P[1] - c_1*gain_0;
-            P[2] = P[2] - c_2*gain_0;
-            P[3] = P[3] - c_3*gain_0;
-            P[4] = P[4] - c_4*gain_0;
-            P[5] = P[5] - c_5*gain_0;
-            P[6] = P[6] - c_6*gain_0;
-            P[7] = P[7] - c_7*gain_0;
-            P[8] = P[8] - c_8*gain_0;
-            P[9] = P[9] - c_9*gain_0;
-            P[10] = P[10] - c_1*gain_1;
-            P[11] = P[11] - c_2*gain_1;
-            P[12] = P[12] - c_3*gain_1;
-            P[13] = P[13] - c_4*gain_1;
-            P[14] = P[14] - c_5*gain_1;
-            P[15] = P[15] - c_6*gain_1;
-            P[16] = P[16] - c_7*gain_1;
-            P[17] = P[17] - c_8*gain_1;
-            P[18] = P[18] - c_9*gain_1;
-            P[19] = P[19] - c_2*gain_2;
-            P[20] = P[20] - c_3*gain_2;
-            P[21] = P[21] - c_4*gain_2;
-            P[22] = P[22] - c_5*gain_2;
-            P[23] = P[23] - c_6*gain_2;
-            P[24] = P[24] - c_7*gain_2;
-            P[25] = P[25] - c_8*gain_2;
-            P[26] = P[26] - c_9*gain_2;
-            P[27] = P[27] - c_3*gain_3;
-            P[28] = P[28] - c_4*gain_3;
-            P[29] = P[29] - c_5*gain_3;
-            P[30] = P[30] - c_6*gain_3;
-            P[31] = P[31] - c_7*gain_3;
-            P[32] = P[32] - c_3*gain_8;
-            P[33] = P[33] - c_3*gain_9;
-            P[34] = P[34] - c_4*gain_4;
-            P[35] = P[35] - c_4*gain_5;
-            P[36] = P[36] - c_4*gain_6;
-            P[37] = P[37] - c_4*gain_7;
-            P[38] = P[38] - c_4*gain_8;
-            P[39] = P[39] - c_4*gain_9;
-            P[40] = P[40] - c_5*gain_5;
-            P[41] = P[41] - c_6*gain_5;
-            P[42] = P[42] - c_7*gain_5;
-            P[43] = P[43] - c_5*gain_8;
-            P[44] = P[44] - c_5*gain_9;
-            P[45] = P[45] - c_6*gain_6;
-            P[46] = P[46] - c_7*gain_6;
-            P[47] = P[47] - c_6*gain_8;
-            P[48] = P[48] - c_6*gain_9;
-            P[49] = P[49] - c_7*gain_7;
-            P[50] = P[50] - c_7*gain_8;
-            P[51] = P[51] - c_7*gain_9;
-            P[52] = P[52] - c_8*gain_8;
-            P[53] = P[53] - c_9*gain_8;
-            P[54] = P[54] - c_9*gain_9;
-            state->v_star = state->v_star + gain_0*innovation;
-            state->r_star = state->r_star + gain_1*innovation;
-            state->disturbance = state->disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
-            state->pi1 = state->pi1 + gain_4*innovation;
-            const bicycle_population_real move_eta = gain_5*innovation;
-            const bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
-            const bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
-            const bicycle_population_real move_rho = gain_6*innovation;
-            const bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
-            const bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-            const bicycle_population_real move_input_scale = gain_7*innovation;
-            const bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
-            const bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
-            state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-            state->input_offset = state->input_offset + gain_8*innovation;
-            state->output_bias = state->output_bias + gain_9*innovation;
+            bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_9, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
-            const bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            const bicycle_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
             state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
@@ -759,7 +776,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
             state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
             state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
-            if (usable > R(0.5)) {
+            if (usable > 0) {
                 status = 3;
             }
         }
@@ -767,7 +784,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         disturbance_now = state->disturbance_scale*w_nominal;
         state->last_input = u_now;
         state->last_U = U_now;
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);
         }

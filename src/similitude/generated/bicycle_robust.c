@@ -32,6 +32,9 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_robust_real;
 #define R(x) ((bicycle_robust_real)(x))
@@ -149,6 +152,10 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     bicycle_robust_real *const output_stage = state->output_stage;
     bicycle_robust_real *const A = state->A;
     bicycle_robust_real *const q = state->q;
+    int i;
+    for (i = 0; i < 10; ++i) {
+        A[i] = R(0.0);
+    }
     state->K = config->K_start;
     state->input_gain = (-R(1.0)/(config->rho*(config->pi1 - R(1.0))));
     state->damping = (-(config->eta + config->pi1 + config->rho + config->eta*config->pi1*config->rho - config->eta*config->pi1 - config->pi1*config->rho)/(config->rho*(config->pi1 - R(1.0))));
@@ -170,16 +177,6 @@ SIMILITUDE_API void bicycle_robust_init(const bicycle_robust_config *config, bic
     output_stage[3] = R(0.0);
     output_stage[4] = R(0.0);
     state->scale_stage = config->U_least;
-    A[0] = R(0.0);
-    A[1] = R(0.0);
-    A[2] = R(0.0);
-    A[3] = R(0.0);
-    A[4] = R(0.0);
-    A[5] = R(0.0);
-    A[6] = R(0.0);
-    A[7] = R(0.0);
-    A[8] = R(0.0);
-    A[9] = R(0.0);
     q[0] = R(0.0);
     q[1] = R(0.0);
     q[2] = R(0.0);
@@ -311,7 +308,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
         const bicycle_robust_real drive = state->K*psi_1; /* what the input alone does to the regression */
         state->excitation = state->excitation + ((drive*drive) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
         excited = (state->excitation > config->excitation_least ? R(1.0) : R(0.0));
-        const bicycle_robust_real together = (state->K*psi_1 + state->K*psi_2) + (psi_4*(state->K*state->K) + state->K*psi_3*state->stiffness); /* of the car with this K */
+        const bicycle_robust_real together = state->K*psi_1 + state->K*psi_2 + psi_4*(state->K*state->K) + state->K*psi_3*state->stiffness; /* of the car with this K */
         residual = y - together;
         if ((excited > R(0.5)) && (live > 0) && (state->fresh > config->settle_samples)) { /* the steer moves, the filters have settled */
             state->weight = R(1.0) + config->forgetting*state->weight;
@@ -407,7 +404,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                 }
             }
             if (carried < 1) { /* the steer says less */
-                const bicycle_robust_real c2 = (A[0] + R(2.0)*A[3] + A[9]) + (R(2.0)*A[1]*state->stiffness + A[4]*(state->stiffness*state->stiffness) + R(2.0)*A[6]*state->stiffness);
+                const bicycle_robust_real c2 = A[0] + R(2.0)*A[3] + A[9] + R(2.0)*A[1]*state->stiffness + A[4]*(state->stiffness*state->stiffness) + R(2.0)*A[6]*state->stiffness;
                 const bicycle_robust_real c3 = A[2] + A[8] + A[5]*state->stiffness;
                 const bicycle_robust_real c4 = A[7];
                 const bicycle_robust_real d1 = q[0] + q[3] + q[1]*state->stiffness;
@@ -445,7 +442,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                 }
                 const bicycle_robust_real slow = R(2.0)*state->K*to_pair + state->stiffness*to_output;
                 const bicycle_robust_real noise_along = config->noise_value*(slow*slow) + to_rate*(config->noise_rate*to_rate + R(2.0)*config->noise_value_rate*slow);
-                const bicycle_robust_real psi = (psi_1 + psi_2) + (R(2.0)*state->K*psi_4 + psi_3*state->stiffness);
+                const bicycle_robust_real psi = psi_1 + psi_2 + R(2.0)*state->K*psi_4 + psi_3*state->stiffness;
                 const bicycle_robust_real normal = c2 + R(4.0)*state->K*(c3 + state->K*c4);
                 const bicycle_robust_real wanted = d1 - state->K*(c2 + state->K*(R(3.0)*c3 + R(2.0)*state->K*c4) - R(2.0)*d2);
                 if ((normal > R(0.0)) && (normal > noise_along*noise_sum*config->signal_least_one)) { /* more than noise */

@@ -365,7 +365,7 @@ def step(config, state, sample):
         drive = K*psi_1  # what the input alone does to the regression
         excitation = excitation + ((drive*drive) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
         excited = (1.0 if excitation > excitation_least else 0.0)
-        together = (K*psi_1 + K*psi_2) + (psi_4*(K*K) + K*psi_3*stiffness)  # of the car with this K
+        together = K*psi_1 + K*psi_2 + psi_4*(K*K) + K*psi_3*stiffness  # of the car with this K
         residual = y - together
         if (excited > 0.5) and (fresh > settle_samples) and (live > 0.5):  # the steer moves, the filters have settled
             weight = 1.0 + forgetting*weight
@@ -452,7 +452,7 @@ def step(config, state, sample):
                             if edge > 0.5:  # the population's edge
                                 status = 3.0
             if carried < 0.5:  # the steer says less
-                c2 = (A_0 + 2.0*A_3 + A_9) + (2.0*A_1*stiffness + A_4*(stiffness*stiffness) + 2.0*A_6*stiffness)
+                c2 = A_0 + 2.0*A_3 + A_9 + 2.0*A_1*stiffness + A_4*(stiffness*stiffness) + 2.0*A_6*stiffness
                 c3 = A_2 + A_8 + A_5*stiffness
                 c4 = A_7
                 d1 = q_0 + q_3 + q_1*stiffness
@@ -485,7 +485,7 @@ def step(config, state, sample):
                     lowest = cost_4
                 slow = 2.0*K*to_pair + stiffness*to_output
                 noise_along = noise_value*(slow*slow) + to_rate*(noise_rate*to_rate + 2.0*noise_value_rate*slow)
-                psi = (psi_1 + psi_2) + (2.0*K*psi_4 + psi_3*stiffness)
+                psi = psi_1 + psi_2 + 2.0*K*psi_4 + psi_3*stiffness
                 normal = c2 + 4.0*K*(c3 + K*c4)
                 wanted = d1 - K*(c2 + K*(3.0*c3 + 2.0*K*c4) - 2.0*d2)
                 if (normal > 0.0) and (normal > noise_along*noise_sum*signal_least_one):  # more than noise

@@ -28,6 +28,9 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_scalar_population_real;
 #define R(x) ((bicycle_scalar_population_real)(x))

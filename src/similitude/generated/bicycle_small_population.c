@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 896 at most, 5 at least (arithmetic, comparisons, selects), init 5.
+ * Operations: step 870 at most, 5 at least (arithmetic, comparisons, selects), init 5.
  * Memory: state 61 reals, configuration 63 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -29,9 +29,23 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_small_population_real;
 #define R(x) ((bicycle_small_population_real)(x))
+
+#if defined(__GNUC__)
+#define MAGNITUDE(x) \
+    ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \
+                                                : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
+#else
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
+#endif
 
 enum bicycle_small_population_status {
     BICYCLE_SMALL_POPULATION_OK = 0,
@@ -150,6 +164,10 @@ typedef struct bicycle_small_population_output {
 SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population_config *config, bicycle_small_population_state *state)
 {
     bicycle_small_population_real *const P = state->P;
+    int i;
+    for (i = 0; i < 36; ++i) {
+        P[i] = R(0.0);
+    }
     state->v_star = R(0.0);
     state->r_star = R(0.0);
     state->disturbance = R(0.0);
@@ -158,42 +176,6 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     state->eta = config->eta_prior;
     state->rho = config->rho_prior;
     state->output_bias = R(0.0);
-    P[0] = R(0.0);
-    P[1] = R(0.0);
-    P[2] = R(0.0);
-    P[3] = R(0.0);
-    P[4] = R(0.0);
-    P[5] = R(0.0);
-    P[6] = R(0.0);
-    P[7] = R(0.0);
-    P[8] = R(0.0);
-    P[9] = R(0.0);
-    P[10] = R(0.0);
-    P[11] = R(0.0);
-    P[12] = R(0.0);
-    P[13] = R(0.0);
-    P[14] = R(0.0);
-    P[15] = R(0.0);
-    P[16] = R(0.0);
-    P[17] = R(0.0);
-    P[18] = R(0.0);
-    P[19] = R(0.0);
-    P[20] = R(0.0);
-    P[21] = R(0.0);
-    P[22] = R(0.0);
-    P[23] = R(0.0);
-    P[24] = R(0.0);
-    P[25] = R(0.0);
-    P[26] = R(0.0);
-    P[27] = R(0.0);
-    P[28] = R(0.0);
-    P[29] = R(0.0);
-    P[30] = R(0.0);
-    P[31] = R(0.0);
-    P[32] = R(0.0);
-    P[33] = R(0.0);
-    P[34] = R(0.0);
-    P[35] = R(0.0);
     P[0] = (config->v_star_sd*config->v_star_sd);
     P[8] = (config->r_star_sd*config->r_star_sd);
     P[35] = (config->output_bias_sd*config->output_bias_sd);
@@ -227,6 +209,173 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     state->last_U = R(0.0);
 }
 
+/* A part of the step: propagate. */
+SIMILITUDE_PART void bicycle_small_population_propagate(
+        const bicycle_small_population_config *config,
+        bicycle_small_population_state *state,
+        const bicycle_small_population_sample *sample,
+        const bicycle_small_population_real F_v_star_K,
+        const bicycle_small_population_real F_v_star_eta,
+        const bicycle_small_population_real F_v_star_pi1,
+        const bicycle_small_population_real F_v_star_r_star,
+        const bicycle_small_population_real F_v_star_rho,
+        const bicycle_small_population_real F_v_star_u,
+        const bicycle_small_population_real F_v_star_v_star,
+        const bicycle_small_population_real F_r_star_K,
+        const bicycle_small_population_real F_r_star_eta,
+        const bicycle_small_population_real F_r_star_pi1,
+        const bicycle_small_population_real F_r_star_r_star,
+        const bicycle_small_population_real F_r_star_rho,
+        const bicycle_small_population_real F_r_star_u,
+        const bicycle_small_population_real F_r_star_v_star,
+        const bicycle_small_population_real keep_w,
+        const bicycle_small_population_real w_nominal,
+        const bicycle_small_population_real diffusion)
+{
+    bicycle_small_population_real *const P = state->P;
+    const bicycle_small_population_real PW_0 = P[2];
+    const bicycle_small_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+    const bicycle_small_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+    const bicycle_small_population_real PW_1 = P[9];
+    const bicycle_small_population_real FP_0_1 = F_v_star_K*P[10] + F_v_star_eta*P[12] + F_v_star_pi1*P[11] + F_v_star_r_star*P[8] + F_v_star_rho*P[13] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+    const bicycle_small_population_real FP_1_1 = F_r_star_K*P[10] + F_r_star_eta*P[12] + F_r_star_pi1*P[11] + F_r_star_r_star*P[8] + F_r_star_rho*P[13] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+    P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star;
+    P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star;
+    P[8] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
+    const bicycle_small_population_real PW_2 = P[15];
+    const bicycle_small_population_real FP_0_2 = F_v_star_K*P[16] + F_v_star_eta*P[18] + F_v_star_pi1*P[17] + F_v_star_r_star*P[9] + F_v_star_rho*P[19] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+    const bicycle_small_population_real FP_1_2 = F_r_star_K*P[16] + F_r_star_eta*P[18] + F_r_star_pi1*P[17] + F_r_star_r_star*P[9] + F_r_star_rho*P[19] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+    P[2] = FP_0_2*keep_w;
+    P[9] = FP_1_2*keep_w;
+    const bicycle_small_population_real PW_3 = P[16];
+    const bicycle_small_population_real FP_0_3 = F_v_star_K*P[21] + F_v_star_eta*P[23] + F_v_star_pi1*P[22] + F_v_star_r_star*P[10] + F_v_star_rho*P[24] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+    const bicycle_small_population_real FP_1_3 = F_r_star_K*P[21] + F_r_star_eta*P[23] + F_r_star_pi1*P[22] + F_r_star_r_star*P[10] + F_r_star_rho*P[24] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+    P[3] = FP_0_3;
+    P[10] = FP_1_3;
+    P[0] = P[0] + FP_0_3*F_v_star_K;
+    P[1] = P[1] + FP_0_3*F_r_star_K;
+    P[8] = P[8] + FP_1_3*F_r_star_K;
+    const bicycle_small_population_real PW_4 = P[17];
+    const bicycle_small_population_real FP_0_4 = F_v_star_K*P[22] + F_v_star_eta*P[27] + F_v_star_pi1*P[26] + F_v_star_r_star*P[11] + F_v_star_rho*P[28] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+    const bicycle_small_population_real FP_1_4 = F_r_star_K*P[22] + F_r_star_eta*P[27] + F_r_star_pi1*P[26] + F_r_star_r_star*P[11] + F_r_star_rho*P[28] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+    P[4] = FP_0_4;
+    P[11] = FP_1_4;
+    P[0] = P[0] + FP_0_4*F_v_star_pi1;
+    P[1] = P[1] + FP_0_4*F_r_star_pi1;
+    P[8] = P[8] + FP_1_4*F_r_star_pi1;
+    const bicycle_small_population_real PW_5 = P[18];
+    const bicycle_small_population_real FP_0_5 = F_v_star_K*P[23] + F_v_star_eta*P[30] + F_v_star_pi1*P[27] + F_v_star_r_star*P[12] + F_v_star_rho*P[31] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+    const bicycle_small_population_real FP_1_5 = F_r_star_K*P[23] + F_r_star_eta*P[30] + F_r_star_pi1*P[27] + F_r_star_r_star*P[12] + F_r_star_rho*P[31] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+    P[5] = FP_0_5;
+    P[12] = FP_1_5;
+    P[0] = P[0] + FP_0_5*F_v_star_eta;
+    P[1] = P[1] + FP_0_5*F_r_star_eta;
+    P[8] = P[8] + FP_1_5*F_r_star_eta;
+    const bicycle_small_population_real PW_6 = P[19];
+    const bicycle_small_population_real FP_0_6 = F_v_star_K*P[24] + F_v_star_eta*P[31] + F_v_star_pi1*P[28] + F_v_star_r_star*P[13] + F_v_star_rho*P[33] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+    const bicycle_small_population_real FP_1_6 = F_r_star_K*P[24] + F_r_star_eta*P[31] + F_r_star_pi1*P[28] + F_r_star_r_star*P[13] + F_r_star_rho*P[33] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+    P[6] = FP_0_6;
+    P[13] = FP_1_6;
+    P[0] = P[0] + FP_0_6*F_v_star_rho;
+    P[1] = P[1] + FP_0_6*F_r_star_rho;
+    P[8] = P[8] + FP_1_6*F_r_star_rho;
+    const bicycle_small_population_real PW_7 = P[20];
+    const bicycle_small_population_real FP_0_7 = F_v_star_K*P[25] + F_v_star_eta*P[32] + F_v_star_pi1*P[29] + F_v_star_r_star*P[14] + F_v_star_rho*P[34] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+    const bicycle_small_population_real FP_1_7 = F_r_star_K*P[25] + F_r_star_eta*P[32] + F_r_star_pi1*P[29] + F_r_star_r_star*P[14] + F_r_star_rho*P[34] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+    P[7] = FP_0_7;
+    P[14] = FP_1_7;
+    const bicycle_small_population_real WPF_0 = FP_0_2;
+    const bicycle_small_population_real WPF_1 = FP_1_2;
+    P[0] = P[0] + F_v_star_u*WPF_0;
+    P[1] = P[1] + F_r_star_u*WPF_0;
+    P[8] = P[8] + F_r_star_u*WPF_1;
+    P[15] = P[15]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[16] = P[16]*keep_w;
+    P[17] = P[17]*keep_w;
+    P[18] = P[18]*keep_w;
+    P[19] = P[19]*keep_w;
+    P[20] = P[20]*keep_w;
+    P[21] = P[21] + sample->dt*(diffusion + state->jump*config->jump_drift);
+    P[35] = P[35] + config->bias_drift*sample->dt;
+}
+
+/* A part of the step: correct. */
+SIMILITUDE_PART void bicycle_small_population_correct(
+        bicycle_small_population_state *state,
+        const bicycle_small_population_real output_scale,
+        const bicycle_small_population_real inv_spread,
+        const bicycle_small_population_real c_1,
+        const bicycle_small_population_real learn_seldom,
+        const bicycle_small_population_real learn_slow,
+        const bicycle_small_population_real c_7,
+        const bicycle_small_population_real c_3,
+        const bicycle_small_population_real gain_3,
+        const bicycle_small_population_real innovation)
+{
+    bicycle_small_population_real *const P = state->P;
+    const bicycle_small_population_real c_0 = P[7] + P[1]*output_scale;
+    const bicycle_small_population_real c_2 = P[20] + P[9]*output_scale;
+    const bicycle_small_population_real c_4 = P[29] + P[11]*output_scale;
+    const bicycle_small_population_real c_5 = P[32] + P[12]*output_scale;
+    const bicycle_small_population_real c_6 = P[34] + P[13]*output_scale;
+    const bicycle_small_population_real gain_0 = c_0*inv_spread;
+    const bicycle_small_population_real gain_1 = c_1*inv_spread;
+    const bicycle_small_population_real gain_2 = c_2*inv_spread;
+    const bicycle_small_population_real gain_4 = c_4*learn_seldom;
+    const bicycle_small_population_real gain_5 = c_5*learn_slow;
+    const bicycle_small_population_real gain_6 = c_6*learn_slow;
+    const bicycle_small_population_real gain_7 = c_7*inv_spread;
+    P[0] = P[0] - c_0*gain_0;
+    P[1] = P[1] - c_1*gain_0;
+    P[2] = P[2] - c_2*gain_0;
+    P[3] = P[3] - c_3*gain_0;
+    P[4] = P[4] - c_4*gain_0;
+    P[5] = P[5] - c_5*gain_0;
+    P[6] = P[6] - c_6*gain_0;
+    P[7] = P[7] - c_7*gain_0;
+    P[8] = P[8] - c_1*gain_1;
+    P[9] = P[9] - c_2*gain_1;
+    P[10] = P[10] - c_3*gain_1;
+    P[11] = P[11] - c_4*gain_1;
+    P[12] = P[12] - c_5*gain_1;
+    P[13] = P[13] - c_6*gain_1;
+    P[14] = P[14] - c_7*gain_1;
+    P[15] = P[15] - c_2*gain_2;
+    P[16] = P[16] - c_3*gain_2;
+    P[17] = P[17] - c_4*gain_2;
+    P[18] = P[18] - c_5*gain_2;
+    P[19] = P[19] - c_6*gain_2;
+    P[20] = P[20] - c_7*gain_2;
+    P[21] = P[21] - c_3*gain_3;
+    P[22] = P[22] - c_4*gain_3;
+    P[23] = P[23] - c_5*gain_3;
+    P[24] = P[24] - c_6*gain_3;
+    P[25] = P[25] - c_3*gain_7;
+    P[26] = P[26] - c_4*gain_4;
+    P[27] = P[27] - c_4*gain_5;
+    P[28] = P[28] - c_4*gain_6;
+    P[29] = P[29] - c_4*gain_7;
+    P[30] = P[30] - c_5*gain_5;
+    P[31] = P[31] - c_6*gain_5;
+    P[32] = P[32] - c_5*gain_7;
+    P[33] = P[33] - c_6*gain_6;
+    P[34] = P[34] - c_6*gain_7;
+    P[35] = P[35] - c_7*gain_7;
+    state->v_star = state->v_star + gain_0*innovation;
+    state->r_star = state->r_star + gain_1*innovation;
+    state->disturbance = state->disturbance + gain_2*innovation;
+    state->pi1 = state->pi1 + gain_4*innovation;
+    const bicycle_small_population_real move_eta = gain_5*innovation;
+    const bicycle_small_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+    const bicycle_small_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+    state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+    const bicycle_small_population_real move_rho = gain_6*innovation;
+    const bicycle_small_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+    const bicycle_small_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+    state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+    state->output_bias = state->output_bias + gain_7*innovation;
+}
+
 /* What the step and the batch loop do with one sample. */
 SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_population_config *config, bicycle_small_population_state *state,
                                      const bicycle_small_population_sample *sample, bicycle_small_population_output *output)
@@ -244,7 +393,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     bicycle_small_population_real predicted = R(0.0);
     int status = 0;
     bicycle_small_population_real u_now = R(0.0);
-    bicycle_small_population_real usable = R(0.0);
+    int usable = 0;
     bicycle_small_population_real variance = R(0.0);
 
     status = 0;
@@ -252,25 +401,25 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     innovation = R(0.0);
     innovation_variance = state->noise_scale*config->noise_variance;
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
-        usable = R(1.0);
+        usable = 1;
         anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
-        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+        if (WITHIN(sample->input, config->input_limit)) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+        if (WITHIN(sample->U, config->signal_limit)) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
-            usable = R(0.0);
+        if (!(WITHIN(sample->measured, config->output_limit))) { /* no measurement */
+            usable = 0;
             status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
@@ -278,14 +427,14 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->last_input = u_now;
             state->last_U = U_now;
         }
-        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+        if ((state->age > config->gap) && (usable > 0)) { /* the first sample after a gap */
             status = 5;
             anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = 1;
             state->started = R(0.0);
-            usable = R(0.0);
+            usable = 0;
             status = 6;
         }
         if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
@@ -343,47 +492,38 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real inv0 = (R(1.0)/state->rho);
         const bicycle_small_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
         const bicycle_small_population_real c0 = (-state->r_star);
-        const bicycle_small_population_real c1 = (inv_U*inv_U);
-        const bicycle_small_population_real c2 = state->v_star + state->pi1*state->r_star;
-        const bicycle_small_population_real c3 = c2 - u;
-        const bicycle_small_population_real c4 = c1*c3;
-        const bicycle_small_population_real c5 = c0 + c2;
-        const bicycle_small_population_real c6 = c1*state->pi1;
-        const bicycle_small_population_real c7 = c6*state->eta;
-        const bicycle_small_population_real c8 = c7*inv1;
-        const bicycle_small_population_real c9 = c5*c8;
-        const bicycle_small_population_real c10 = state->K*(c9 - c4);
-        const bicycle_small_population_real c11 = c1*inv0;
-        const bicycle_small_population_real c12 = c11*state->eta*inv1;
-        const bicycle_small_population_real c13 = state->K*(c1*c3*inv0*inv1 - c12*c5);
+        const bicycle_small_population_real c1 = state->pi1*state->r_star;
+        const bicycle_small_population_real c2 = c1 + state->v_star;
+        const bicycle_small_population_real c3 = c0 + c2;
+        const bicycle_small_population_real c4 = c3*state->eta;
+        const bicycle_small_population_real c5 = inv1*state->pi1;
+        const bicycle_small_population_real c6 = c4*c5;
+        const bicycle_small_population_real c7 = u - c1 - state->v_star;
+        const bicycle_small_population_real c8 = state->K*(inv_U*inv_U);
+        const bicycle_small_population_real c9 = c8*(c6 + c7);
+        const bicycle_small_population_real c10 = c4 + c7;
+        const bicycle_small_population_real c11 = c8*inv0;
+        const bicycle_small_population_real c12 = c11*inv1;
+        const bicycle_small_population_real c13 = (-c10*c12);
         const bicycle_small_population_real c14 = R(0.3333333333333333)*h;
-        const bicycle_small_population_real c15 = state->K*c14;
-        const bicycle_small_population_real c16 = c11*state->eta;
-        const bicycle_small_population_real c17 = c1*state->r_star;
-        const bicycle_small_population_real c18 = (inv1*inv1);
-        const bicycle_small_population_real c19 = c18*c5;
-        const bicycle_small_population_real c20 = inv0*inv1;
-        const bicycle_small_population_real c21 = c17*c20;
-        const bicycle_small_population_real c22 = c5*state->eta;
-        const bicycle_small_population_real c23 = state->K*c1;
-        const bicycle_small_population_real c24 = c20*c23;
-        const bicycle_small_population_real c25 = (inv0*inv0);
-        const bicycle_small_population_real f_v_star = c0 + c10; /* rate [-] */
+        const bicycle_small_population_real c15 = state->eta - R(1.0);
+        const bicycle_small_population_real c16 = c4*inv1;
+        const bicycle_small_population_real f_v_star = c0 + c9; /* rate [-] */
         const bicycle_small_population_real f_r_star = c13; /* rate [-] */
-        const bicycle_small_population_real J_00 = c15*(c8 - c1);
-        const bicycle_small_population_real J_01 = c14*(state->K*(c7 - c6) - R(1.0));
-        const bicycle_small_population_real J_10 = c15*(c1*inv0*inv1 - c12);
-        const bicycle_small_population_real J_11 = c15*(c1*inv0*inv1*state->pi1 - c16);
-        const bicycle_small_population_real f_v_star_K = c10;
+        const bicycle_small_population_real J_00 = c14*c8*(c5*state->eta - R(1.0));
+        const bicycle_small_population_real J_01 = c14*(c15*c8*state->pi1 - R(1.0));
+        const bicycle_small_population_real J_10 = (-c12*c14*c15);
+        const bicycle_small_population_real J_11 = c11*c14*(inv1*state->pi1 - state->eta);
+        const bicycle_small_population_real f_v_star_K = c9;
         const bicycle_small_population_real f_r_star_K = c13;
-        const bicycle_small_population_real f_v_star_pi1 = state->K*(c1*c5*state->eta*inv1 + c1*state->eta*inv1*state->pi1*state->r_star - c17 - c19*c7);
-        const bicycle_small_population_real f_r_star_pi1 = state->K*(c21 + c16*c19 - c21*state->eta - c18*c4*inv0);
-        const bicycle_small_population_real f_v_star_eta = state->K*c9;
-        const bicycle_small_population_real f_r_star_eta = (-c22*c24);
+        const bicycle_small_population_real f_v_star_pi1 = c8*(c3*state->eta*inv1 + state->eta*inv1*state->pi1*state->r_star - state->r_star - c4*state->pi1*(inv1*inv1));
+        const bicycle_small_population_real f_r_star_pi1 = c12*(c16 + state->r_star - state->eta*state->r_star - inv1*(c2 - u));
+        const bicycle_small_population_real f_v_star_eta = c6*c8;
+        const bicycle_small_population_real f_r_star_eta = (-c11*c16);
         const bicycle_small_population_real f_v_star_rho = R(0.0);
-        const bicycle_small_population_real f_r_star_rho = state->K*state->rho*(c1*c22*c25*inv1 - c25*c4*inv1);
-        const bicycle_small_population_real f_v_star_u = c23;
-        const bicycle_small_population_real f_r_star_u = (-c24);
+        const bicycle_small_population_real f_r_star_rho = c10*c12;
+        const bicycle_small_population_real f_v_star_u = c8;
+        const bicycle_small_population_real f_r_star_u = (-c12);
         const bicycle_small_population_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_small_population_real p1 = (-J_00) - J_11;
         const bicycle_small_population_real n0 = R(1.0) - R(1.5)*p0;
@@ -443,55 +583,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real F_v_star_r_star = M_01*ratio_r_star;
         const bicycle_small_population_real F_r_star_v_star = M_10*ratio_v_star;
         const bicycle_small_population_real F_r_star_r_star = M_11*ratio_r_star;
-        const bicycle_small_population_real PW_0 = P[2];
-        const bicycle_small_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4]) + (F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
-        const bicycle_small_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4]) + (F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
-        const bicycle_small_population_real PW_1 = P[9];
-        const bicycle_small_population_real FP_0_1 = (F_v_star_K*P[10] + F_v_star_eta*P[12] + F_v_star_pi1*P[11]) + (F_v_star_r_star*P[8] + F_v_star_rho*P[13] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
-        const bicycle_small_population_real FP_1_1 = (F_r_star_K*P[10] + F_r_star_eta*P[12] + F_r_star_pi1*P[11]) + (F_r_star_r_star*P[8] + F_r_star_rho*P[13] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
-        const bicycle_small_population_real PW_2 = P[15];
-        const bicycle_small_population_real FP_0_2 = (F_v_star_K*P[16] + F_v_star_eta*P[18] + F_v_star_pi1*P[17]) + (F_v_star_r_star*P[9] + F_v_star_rho*P[19] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
-        const bicycle_small_population_real FP_1_2 = (F_r_star_K*P[16] + F_r_star_eta*P[18] + F_r_star_pi1*P[17]) + (F_r_star_r_star*P[9] + F_r_star_rho*P[19] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
-        const bicycle_small_population_real PW_3 = P[16];
-        const bicycle_small_population_real FP_0_3 = (F_v_star_K*P[21] + F_v_star_eta*P[23] + F_v_star_pi1*P[22]) + (F_v_star_r_star*P[10] + F_v_star_rho*P[24] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
-        const bicycle_small_population_real FP_1_3 = (F_r_star_K*P[21] + F_r_star_eta*P[23] + F_r_star_pi1*P[22]) + (F_r_star_r_star*P[10] + F_r_star_rho*P[24] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
-        const bicycle_small_population_real PW_4 = P[17];
-        const bicycle_small_population_real FP_0_4 = (F_v_star_K*P[22] + F_v_star_eta*P[27] + F_v_star_pi1*P[26]) + (F_v_star_r_star*P[11] + F_v_star_rho*P[28] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
-        const bicycle_small_population_real FP_1_4 = (F_r_star_K*P[22] + F_r_star_eta*P[27] + F_r_star_pi1*P[26]) + (F_r_star_r_star*P[11] + F_r_star_rho*P[28] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
-        const bicycle_small_population_real PW_5 = P[18];
-        const bicycle_small_population_real FP_0_5 = (F_v_star_K*P[23] + F_v_star_eta*P[30] + F_v_star_pi1*P[27]) + (F_v_star_r_star*P[12] + F_v_star_rho*P[31] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
-        const bicycle_small_population_real FP_1_5 = (F_r_star_K*P[23] + F_r_star_eta*P[30] + F_r_star_pi1*P[27]) + (F_r_star_r_star*P[12] + F_r_star_rho*P[31] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
-        const bicycle_small_population_real PW_6 = P[19];
-        const bicycle_small_population_real FP_0_6 = (F_v_star_K*P[24] + F_v_star_eta*P[31] + F_v_star_pi1*P[28]) + (F_v_star_r_star*P[13] + F_v_star_rho*P[33] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
-        const bicycle_small_population_real FP_1_6 = (F_r_star_K*P[24] + F_r_star_eta*P[31] + F_r_star_pi1*P[28]) + (F_r_star_r_star*P[13] + F_r_star_rho*P[33] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
-        const bicycle_small_population_real PW_7 = P[20];
-        const bicycle_small_population_real FP_0_7 = (F_v_star_K*P[25] + F_v_star_eta*P[32] + F_v_star_pi1*P[29]) + (F_v_star_r_star*P[14] + F_v_star_rho*P[34] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
-        const bicycle_small_population_real FP_1_7 = (F_r_star_K*P[25] + F_r_star_eta*P[32] + F_r_star_pi1*P[29]) + (F_r_star_r_star*P[14] + F_r_star_rho*P[34] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
-        const bicycle_small_population_real WPF_0 = FP_0_2;
-        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K) + (FP_0_4*F_v_star_pi1 + FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + F_v_star_u*WPF_0);
-        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K) + (FP_0_4*F_r_star_pi1 + FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + F_r_star_u*WPF_0);
-        P[2] = FP_0_2*keep_w;
-        P[3] = FP_0_3;
-        P[4] = FP_0_4;
-        P[5] = FP_0_5;
-        P[6] = FP_0_6;
-        P[7] = FP_0_7;
-        const bicycle_small_population_real WPF_1 = FP_1_2;
-        P[8] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K) + (FP_1_4*F_r_star_pi1 + FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + F_r_star_u*WPF_1);
-        P[9] = FP_1_2*keep_w;
-        P[10] = FP_1_3;
-        P[11] = FP_1_4;
-        P[12] = FP_1_5;
-        P[13] = FP_1_6;
-        P[14] = FP_1_7;
-        P[15] = P[15]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
-        P[16] = P[16]*keep_w;
-        P[17] = P[17]*keep_w;
-        P[18] = P[18]*keep_w;
-        P[19] = P[19]*keep_w;
-        P[20] = P[20]*keep_w;
-        P[21] = P[21] + sample->dt*(diffusion + state->jump*config->jump_drift);
-        P[35] = P[35] + config->bias_drift*sample->dt;
+        bicycle_small_population_propagate(config, state, sample, F_v_star_K, F_v_star_eta, F_v_star_pi1, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_pi1, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, w_nominal, diffusion);
         state->disturbance = state->disturbance*keep_w;
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
@@ -504,14 +596,9 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
         const bicycle_small_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const bicycle_small_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
-        if (usable > R(0.5)) { /* measurement */
-            const bicycle_small_population_real c_0 = P[7] + P[1]*output_scale;
+        if (usable > 0) { /* measurement */
             const bicycle_small_population_real c_1 = P[14] + P[8]*output_scale;
-            const bicycle_small_population_real c_2 = P[20] + P[9]*output_scale;
             const bicycle_small_population_real c_3 = P[25] + P[10]*output_scale;
-            const bicycle_small_population_real c_4 = P[29] + P[11]*output_scale;
-            const bicycle_small_population_real c_5 = P[32] + P[12]*output_scale;
-            const bicycle_small_population_real c_6 = P[34] + P[13]*output_scale;
             const bicycle_small_population_real c_7 = P[35] + P[14]*output_scale;
             innovation = sample->measured - predicted;
             innovation_variance = c_7 + noise + c_1*output_scale;
@@ -524,80 +611,28 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             const bicycle_small_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
-            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_small_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
+            const bicycle_small_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
+            state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_small_population_real learn = state->excited*inv_spread;
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_small_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
+            const bicycle_small_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
                 state->unlearnt = R(0.0);
             }
-            const bicycle_small_population_real gain_0 = c_0*inv_spread;
-            const bicycle_small_population_real gain_1 = c_1*inv_spread;
-            const bicycle_small_population_real gain_2 = c_2*inv_spread;
             const bicycle_small_population_real gain_3 = c_3*learn;
-            const bicycle_small_population_real gain_4 = c_4*learn_seldom;
-            const bicycle_small_population_real gain_5 = c_5*learn_slow;
-            const bicycle_small_population_real gain_6 = c_6*learn_slow;
-            const bicycle_small_population_real gain_7 = c_7*inv_spread;
             const bicycle_small_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            P[0] = P[0] - c_0*gain_0;
-            P[1] = P[1] - c_1*gain_0;
-            P[2] = P[2] - c_2*gain_0;
-            P[3] = P[3] - c_3*gain_0;
-            P[4] = P[4] - c_4*gain_0;
-            P[5] = P[5] - c_5*gain_0;
-            P[6] = P[6] - c_6*gain_0;
-            P[7] = P[7] - c_7*gain_0;
-            P[8] = P[8] - c_1*gain_1;
-            P[9] = P[9] - c_2*gain_1;
-            P[10] = P[10] - c_3*gain_1;
-            P[11] = P[11] - c_4*gain_1;
-            P[12] = P[12] - c_5*gain_1;
-            P[13] = P[13] - c_6*gain_1;
-            P[14] = P[14] - c_7*gain_1;
-            P[15] = P[15] - c_2*gain_2;
-            P[16] = P[16] - c_3*gain_2;
-            P[17] = P[17] - c_4*gain_2;
-            P[18] = P[18] - c_5*gain_2;
-            P[19] = P[19] - c_6*gain_2;
-            P[20] = P[20] - c_7*gain_2;
-            P[21] = P[21] - c_3*gain_3;
-            P[22] = P[22] - c_4*gain_3;
-            P[23] = P[23] - c_5*gain_3;
-            P[24] = P[24] - c_6*gain_3;
-            P[25] = P[25] - c_3*gain_7;
-            P[26] = P[26] - c_4*gain_4;
-            P[27] = P[27] - c_4*gain_5;
-            P[28] = P[28] - c_4*gain_6;
-            P[29] = P[29] - c_4*gain_7;
-            P[30] = P[30] - c_5*gain_5;
-            P[31] = P[31] - c_6*gain_5;
-            P[32] = P[32] - c_5*gain_7;
-            P[33] = P[33] - c_6*gain_6;
-            P[34] = P[34] - c_6*gain_7;
-            P[35] = P[35] - c_7*gain_7;
-            state->v_star = state->v_star + gain_0*innovation;
-            state->r_star = state->r_star + gain_1*innovation;
-            state->disturbance = state->disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
-            state->pi1 = state->pi1 + gain_4*innovation;
-            const bicycle_small_population_real move_eta = gain_5*innovation;
-            const bicycle_small_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
-            const bicycle_small_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
-            const bicycle_small_population_real move_rho = gain_6*innovation;
-            const bicycle_small_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
-            const bicycle_small_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-            state->output_bias = state->output_bias + gain_7*innovation;
+            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_7, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
-            const bicycle_small_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            const bicycle_small_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
             state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
@@ -622,13 +657,13 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
             state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
             state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
-            if (usable > R(0.5)) {
+            if (usable > 0) {
                 status = 3;
             }
         }
         state->last_input = u_now;
         state->last_U = U_now;
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);
         }

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho, grip, place, bank, push
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 3086 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Operations: step 3056 at most, 7 at least (arithmetic, comparisons, selects), init 8.
  * Memory: state 157 reals, configuration 117 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -29,9 +29,23 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL bicycle_with_accelerometer_population_real;
 #define R(x) ((bicycle_with_accelerometer_population_real)(x))
+
+#if defined(__GNUC__)
+#define MAGNITUDE(x) \
+    ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \
+                                                : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
+#else
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
+#endif
 
 enum bicycle_with_accelerometer_population_status {
     BICYCLE_WITH_ACCELEROMETER_POPULATION_OK = 0,
@@ -202,6 +216,10 @@ typedef struct bicycle_with_accelerometer_population_output {
 SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state)
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
+    int i;
+    for (i = 0; i < 120; ++i) {
+        P[i] = R(0.0);
+    }
     state->v_star = R(0.0);
     state->r_star = R(0.0);
     state->v_star_plain = R(0.0);
@@ -218,126 +236,6 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->input_scale = R(1.0);
     state->input_offset = R(0.0);
     state->output_bias = R(0.0);
-    P[0] = R(0.0);
-    P[1] = R(0.0);
-    P[2] = R(0.0);
-    P[3] = R(0.0);
-    P[4] = R(0.0);
-    P[5] = R(0.0);
-    P[6] = R(0.0);
-    P[7] = R(0.0);
-    P[8] = R(0.0);
-    P[9] = R(0.0);
-    P[10] = R(0.0);
-    P[11] = R(0.0);
-    P[12] = R(0.0);
-    P[13] = R(0.0);
-    P[14] = R(0.0);
-    P[15] = R(0.0);
-    P[16] = R(0.0);
-    P[17] = R(0.0);
-    P[18] = R(0.0);
-    P[19] = R(0.0);
-    P[20] = R(0.0);
-    P[21] = R(0.0);
-    P[22] = R(0.0);
-    P[23] = R(0.0);
-    P[24] = R(0.0);
-    P[25] = R(0.0);
-    P[26] = R(0.0);
-    P[27] = R(0.0);
-    P[28] = R(0.0);
-    P[29] = R(0.0);
-    P[30] = R(0.0);
-    P[31] = R(0.0);
-    P[32] = R(0.0);
-    P[33] = R(0.0);
-    P[34] = R(0.0);
-    P[35] = R(0.0);
-    P[36] = R(0.0);
-    P[37] = R(0.0);
-    P[38] = R(0.0);
-    P[39] = R(0.0);
-    P[40] = R(0.0);
-    P[41] = R(0.0);
-    P[42] = R(0.0);
-    P[43] = R(0.0);
-    P[44] = R(0.0);
-    P[45] = R(0.0);
-    P[46] = R(0.0);
-    P[47] = R(0.0);
-    P[48] = R(0.0);
-    P[49] = R(0.0);
-    P[50] = R(0.0);
-    P[51] = R(0.0);
-    P[52] = R(0.0);
-    P[53] = R(0.0);
-    P[54] = R(0.0);
-    P[55] = R(0.0);
-    P[56] = R(0.0);
-    P[57] = R(0.0);
-    P[58] = R(0.0);
-    P[59] = R(0.0);
-    P[60] = R(0.0);
-    P[61] = R(0.0);
-    P[62] = R(0.0);
-    P[63] = R(0.0);
-    P[64] = R(0.0);
-    P[65] = R(0.0);
-    P[66] = R(0.0);
-    P[67] = R(0.0);
-    P[68] = R(0.0);
-    P[69] = R(0.0);
-    P[70] = R(0.0);
-    P[71] = R(0.0);
-    P[72] = R(0.0);
-    P[73] = R(0.0);
-    P[74] = R(0.0);
-    P[75] = R(0.0);
-    P[76] = R(0.0);
-    P[77] = R(0.0);
-    P[78] = R(0.0);
-    P[79] = R(0.0);
-    P[80] = R(0.0);
-    P[81] = R(0.0);
-    P[82] = R(0.0);
-    P[83] = R(0.0);
-    P[84] = R(0.0);
-    P[85] = R(0.0);
-    P[86] = R(0.0);
-    P[87] = R(0.0);
-    P[88] = R(0.0);
-    P[89] = R(0.0);
-    P[90] = R(0.0);
-    P[91] = R(0.0);
-    P[92] = R(0.0);
-    P[93] = R(0.0);
-    P[94] = R(0.0);
-    P[95] = R(0.0);
-    P[96] = R(0.0);
-    P[97] = R(0.0);
-    P[98] = R(0.0);
-    P[99] = R(0.0);
-    P[100] = R(0.0);
-    P[101] = R(0.0);
-    P[102] = R(0.0);
-    P[103] = R(0.0);
-    P[104] = R(0.0);
-    P[105] = R(0.0);
-    P[106] = R(0.0);
-    P[107] = R(0.0);
-    P[108] = R(0.0);
-    P[109] = R(0.0);
-    P[110] = R(0.0);
-    P[111] = R(0.0);
-    P[112] = R(0.0);
-    P[113] = R(0.0);
-    P[114] = R(0.0);
-    P[115] = R(0.0);
-    P[116] = R(0.0);
-    P[117] = R(0.0);
-    P[118] = R(0.0);
-    P[119] = R(0.0);
     P[0] = (config->v_star_sd*config->v_star_sd);
     P[15] = (config->r_star_sd*config->r_star_sd);
     P[110] = (config->input_scale_sd*config->input_scale_sd);
@@ -404,6 +302,571 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->input_offset_plain = R(0.0);
 }
 
+/* A part of the step: propagate. */
+SIMILITUDE_PART void bicycle_with_accelerometer_population_propagate(
+        const bicycle_with_accelerometer_population_config *config,
+        bicycle_with_accelerometer_population_state *state,
+        const bicycle_with_accelerometer_population_sample *sample,
+        const bicycle_with_accelerometer_population_real steer,
+        const bicycle_with_accelerometer_population_real F_v_star_K,
+        const bicycle_with_accelerometer_population_real F_v_star_bank,
+        const bicycle_with_accelerometer_population_real F_v_star_eta,
+        const bicycle_with_accelerometer_population_real F_v_star_grip,
+        const bicycle_with_accelerometer_population_real F_v_star_pi1,
+        const bicycle_with_accelerometer_population_real F_v_star_place,
+        const bicycle_with_accelerometer_population_real F_v_star_push,
+        const bicycle_with_accelerometer_population_real F_v_star_r_star,
+        const bicycle_with_accelerometer_population_real F_v_star_rho,
+        const bicycle_with_accelerometer_population_real F_v_star_u,
+        const bicycle_with_accelerometer_population_real F_v_star_v_star,
+        const bicycle_with_accelerometer_population_real F_r_star_K,
+        const bicycle_with_accelerometer_population_real F_r_star_bank,
+        const bicycle_with_accelerometer_population_real F_r_star_eta,
+        const bicycle_with_accelerometer_population_real F_r_star_grip,
+        const bicycle_with_accelerometer_population_real F_r_star_pi1,
+        const bicycle_with_accelerometer_population_real F_r_star_place,
+        const bicycle_with_accelerometer_population_real F_r_star_push,
+        const bicycle_with_accelerometer_population_real F_r_star_r_star,
+        const bicycle_with_accelerometer_population_real F_r_star_rho,
+        const bicycle_with_accelerometer_population_real F_r_star_u,
+        const bicycle_with_accelerometer_population_real F_r_star_v_star,
+        const bicycle_with_accelerometer_population_real keep_w,
+        const bicycle_with_accelerometer_population_real keep_bank,
+        const bicycle_with_accelerometer_population_real keep_push,
+        const bicycle_with_accelerometer_population_real w_nominal,
+        const bicycle_with_accelerometer_population_real diffusion)
+{
+    bicycle_with_accelerometer_population_real *const P = state->P;
+    const bicycle_with_accelerometer_population_real PW_0 = P[12] + P[2] + P[11]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_bank*P[9] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4] + F_v_star_place*P[8] + F_v_star_push*P[10] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+    const bicycle_with_accelerometer_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_bank*P[9] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4] + F_r_star_place*P[8] + F_r_star_push*P[10] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+    const bicycle_with_accelerometer_population_real PW_1 = P[16] + P[26] + P[25]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_1 = F_v_star_K*P[17] + F_v_star_bank*P[23] + F_v_star_eta*P[19] + F_v_star_grip*P[21] + F_v_star_pi1*P[18] + F_v_star_place*P[22] + F_v_star_push*P[24] + F_v_star_r_star*P[15] + F_v_star_rho*P[20] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+    const bicycle_with_accelerometer_population_real FP_1_1 = F_r_star_K*P[17] + F_r_star_bank*P[23] + F_r_star_eta*P[19] + F_r_star_grip*P[21] + F_r_star_pi1*P[18] + F_r_star_place*P[22] + F_r_star_push*P[24] + F_r_star_r_star*P[15] + F_r_star_rho*P[20] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+    P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star;
+    P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star;
+    P[15] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
+    const bicycle_with_accelerometer_population_real PW_2 = P[29] + P[39] + P[38]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_2 = F_v_star_K*P[30] + F_v_star_bank*P[36] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31] + F_v_star_place*P[35] + F_v_star_push*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[33] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+    const bicycle_with_accelerometer_population_real FP_1_2 = F_r_star_K*P[30] + F_r_star_bank*P[36] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31] + F_r_star_place*P[35] + F_r_star_push*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[33] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+    P[2] = FP_0_2*keep_w;
+    P[16] = FP_1_2*keep_w;
+    const bicycle_with_accelerometer_population_real PW_3 = P[30] + P[51] + P[50]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_3 = F_v_star_K*P[42] + F_v_star_bank*P[48] + F_v_star_eta*P[44] + F_v_star_grip*P[46] + F_v_star_pi1*P[43] + F_v_star_place*P[47] + F_v_star_push*P[49] + F_v_star_r_star*P[17] + F_v_star_rho*P[45] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+    const bicycle_with_accelerometer_population_real FP_1_3 = F_r_star_K*P[42] + F_r_star_bank*P[48] + F_r_star_eta*P[44] + F_r_star_grip*P[46] + F_r_star_pi1*P[43] + F_r_star_place*P[47] + F_r_star_push*P[49] + F_r_star_r_star*P[17] + F_r_star_rho*P[45] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+    P[3] = FP_0_3;
+    P[17] = FP_1_3;
+    P[0] = P[0] + FP_0_3*F_v_star_K;
+    P[1] = P[1] + FP_0_3*F_r_star_K;
+    P[15] = P[15] + FP_1_3*F_r_star_K;
+    const bicycle_with_accelerometer_population_real PW_4 = P[31] + P[62] + P[61]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_4 = F_v_star_K*P[43] + F_v_star_bank*P[59] + F_v_star_eta*P[55] + F_v_star_grip*P[57] + F_v_star_pi1*P[54] + F_v_star_place*P[58] + F_v_star_push*P[60] + F_v_star_r_star*P[18] + F_v_star_rho*P[56] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+    const bicycle_with_accelerometer_population_real FP_1_4 = F_r_star_K*P[43] + F_r_star_bank*P[59] + F_r_star_eta*P[55] + F_r_star_grip*P[57] + F_r_star_pi1*P[54] + F_r_star_place*P[58] + F_r_star_push*P[60] + F_r_star_r_star*P[18] + F_r_star_rho*P[56] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+    P[4] = FP_0_4;
+    P[18] = FP_1_4;
+    P[0] = P[0] + FP_0_4*F_v_star_pi1;
+    P[1] = P[1] + FP_0_4*F_r_star_pi1;
+    P[15] = P[15] + FP_1_4*F_r_star_pi1;
+    const bicycle_with_accelerometer_population_real PW_5 = P[32] + P[72] + P[71]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_5 = F_v_star_K*P[44] + F_v_star_bank*P[69] + F_v_star_eta*P[65] + F_v_star_grip*P[67] + F_v_star_pi1*P[55] + F_v_star_place*P[68] + F_v_star_push*P[70] + F_v_star_r_star*P[19] + F_v_star_rho*P[66] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+    const bicycle_with_accelerometer_population_real FP_1_5 = F_r_star_K*P[44] + F_r_star_bank*P[69] + F_r_star_eta*P[65] + F_r_star_grip*P[67] + F_r_star_pi1*P[55] + F_r_star_place*P[68] + F_r_star_push*P[70] + F_r_star_r_star*P[19] + F_r_star_rho*P[66] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+    P[5] = FP_0_5;
+    P[19] = FP_1_5;
+    P[0] = P[0] + FP_0_5*F_v_star_eta;
+    P[1] = P[1] + FP_0_5*F_r_star_eta;
+    P[15] = P[15] + FP_1_5*F_r_star_eta;
+    const bicycle_with_accelerometer_population_real PW_6 = P[33] + P[81] + P[80]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_6 = F_v_star_K*P[45] + F_v_star_bank*P[78] + F_v_star_eta*P[66] + F_v_star_grip*P[76] + F_v_star_pi1*P[56] + F_v_star_place*P[77] + F_v_star_push*P[79] + F_v_star_r_star*P[20] + F_v_star_rho*P[75] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+    const bicycle_with_accelerometer_population_real FP_1_6 = F_r_star_K*P[45] + F_r_star_bank*P[78] + F_r_star_eta*P[66] + F_r_star_grip*P[76] + F_r_star_pi1*P[56] + F_r_star_place*P[77] + F_r_star_push*P[79] + F_r_star_r_star*P[20] + F_r_star_rho*P[75] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+    P[6] = FP_0_6;
+    P[20] = FP_1_6;
+    P[0] = P[0] + FP_0_6*F_v_star_rho;
+    P[1] = P[1] + FP_0_6*F_r_star_rho;
+    P[15] = P[15] + FP_1_6*F_r_star_rho;
+    const bicycle_with_accelerometer_population_real PW_7 = P[34] + P[89] + P[88]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_7 = F_v_star_K*P[46] + F_v_star_bank*P[86] + F_v_star_eta*P[67] + F_v_star_grip*P[84] + F_v_star_pi1*P[57] + F_v_star_place*P[85] + F_v_star_push*P[87] + F_v_star_r_star*P[21] + F_v_star_rho*P[76] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+    const bicycle_with_accelerometer_population_real FP_1_7 = F_r_star_K*P[46] + F_r_star_bank*P[86] + F_r_star_eta*P[67] + F_r_star_grip*P[84] + F_r_star_pi1*P[57] + F_r_star_place*P[85] + F_r_star_push*P[87] + F_r_star_r_star*P[21] + F_r_star_rho*P[76] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+    P[7] = FP_0_7;
+    P[21] = FP_1_7;
+    P[0] = P[0] + FP_0_7*F_v_star_grip;
+    P[1] = P[1] + FP_0_7*F_r_star_grip;
+    P[15] = P[15] + FP_1_7*F_r_star_grip;
+    const bicycle_with_accelerometer_population_real PW_8 = P[35] + P[96] + P[95]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_8 = F_v_star_K*P[47] + F_v_star_bank*P[93] + F_v_star_eta*P[68] + F_v_star_grip*P[85] + F_v_star_pi1*P[58] + F_v_star_place*P[92] + F_v_star_push*P[94] + F_v_star_r_star*P[22] + F_v_star_rho*P[77] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
+    const bicycle_with_accelerometer_population_real FP_1_8 = F_r_star_K*P[47] + F_r_star_bank*P[93] + F_r_star_eta*P[68] + F_r_star_grip*P[85] + F_r_star_pi1*P[58] + F_r_star_place*P[92] + F_r_star_push*P[94] + F_r_star_r_star*P[22] + F_r_star_rho*P[77] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+    P[8] = FP_0_8;
+    P[22] = FP_1_8;
+    P[0] = P[0] + FP_0_8*F_v_star_place;
+    P[1] = P[1] + FP_0_8*F_r_star_place;
+    P[15] = P[15] + FP_1_8*F_r_star_place;
+    const bicycle_with_accelerometer_population_real PW_9 = P[102] + P[36] + P[101]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_9 = F_v_star_K*P[48] + F_v_star_bank*P[99] + F_v_star_eta*P[69] + F_v_star_grip*P[86] + F_v_star_pi1*P[59] + F_v_star_place*P[93] + F_v_star_push*P[100] + F_v_star_r_star*P[23] + F_v_star_rho*P[78] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
+    const bicycle_with_accelerometer_population_real FP_1_9 = F_r_star_K*P[48] + F_r_star_bank*P[99] + F_r_star_eta*P[69] + F_r_star_grip*P[86] + F_r_star_pi1*P[59] + F_r_star_place*P[93] + F_r_star_push*P[100] + F_r_star_r_star*P[23] + F_r_star_rho*P[78] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+    P[9] = FP_0_9*keep_bank;
+    P[23] = FP_1_9*keep_bank;
+    P[0] = P[0] + FP_0_9*F_v_star_bank;
+    P[1] = P[1] + FP_0_9*F_r_star_bank;
+    P[15] = P[15] + FP_1_9*F_r_star_bank;
+    const bicycle_with_accelerometer_population_real PW_10 = P[107] + P[37] + P[106]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_10 = F_v_star_K*P[49] + F_v_star_bank*P[100] + F_v_star_eta*P[70] + F_v_star_grip*P[87] + F_v_star_pi1*P[60] + F_v_star_place*P[94] + F_v_star_push*P[105] + F_v_star_r_star*P[24] + F_v_star_rho*P[79] + F_v_star_u*PW_10 + F_v_star_v_star*P[10];
+    const bicycle_with_accelerometer_population_real FP_1_10 = F_r_star_K*P[49] + F_r_star_bank*P[100] + F_r_star_eta*P[70] + F_r_star_grip*P[87] + F_r_star_pi1*P[60] + F_r_star_place*P[94] + F_r_star_push*P[105] + F_r_star_r_star*P[24] + F_r_star_rho*P[79] + F_r_star_u*PW_10 + F_r_star_v_star*P[10];
+    P[10] = FP_0_10*keep_push;
+    P[24] = FP_1_10*keep_push;
+    P[0] = P[0] + FP_0_10*F_v_star_push;
+    P[1] = P[1] + FP_0_10*F_r_star_push;
+    P[15] = P[15] + FP_1_10*F_r_star_push;
+    const bicycle_with_accelerometer_population_real PW_11 = P[111] + P[38] + P[110]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_11 = F_v_star_K*P[50] + F_v_star_bank*P[101] + F_v_star_eta*P[71] + F_v_star_grip*P[88] + F_v_star_pi1*P[61] + F_v_star_place*P[95] + F_v_star_push*P[106] + F_v_star_r_star*P[25] + F_v_star_rho*P[80] + F_v_star_u*PW_11 + F_v_star_v_star*P[11];
+    const bicycle_with_accelerometer_population_real FP_1_11 = F_r_star_K*P[50] + F_r_star_bank*P[101] + F_r_star_eta*P[71] + F_r_star_grip*P[88] + F_r_star_pi1*P[61] + F_r_star_place*P[95] + F_r_star_push*P[106] + F_r_star_r_star*P[25] + F_r_star_rho*P[80] + F_r_star_u*PW_11 + F_r_star_v_star*P[11];
+    P[11] = FP_0_11;
+    P[25] = FP_1_11;
+    const bicycle_with_accelerometer_population_real PW_12 = P[114] + P[39] + P[111]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_12 = F_v_star_K*P[51] + F_v_star_bank*P[102] + F_v_star_eta*P[72] + F_v_star_grip*P[89] + F_v_star_pi1*P[62] + F_v_star_place*P[96] + F_v_star_push*P[107] + F_v_star_r_star*P[26] + F_v_star_rho*P[81] + F_v_star_u*PW_12 + F_v_star_v_star*P[12];
+    const bicycle_with_accelerometer_population_real FP_1_12 = F_r_star_K*P[51] + F_r_star_bank*P[102] + F_r_star_eta*P[72] + F_r_star_grip*P[89] + F_r_star_pi1*P[62] + F_r_star_place*P[96] + F_r_star_push*P[107] + F_r_star_r_star*P[26] + F_r_star_rho*P[81] + F_r_star_u*PW_12 + F_r_star_v_star*P[12];
+    P[12] = FP_0_12;
+    P[26] = FP_1_12;
+    const bicycle_with_accelerometer_population_real PW_13 = P[115] + P[40] + P[112]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_13 = F_v_star_K*P[52] + F_v_star_bank*P[103] + F_v_star_eta*P[73] + F_v_star_grip*P[90] + F_v_star_pi1*P[63] + F_v_star_place*P[97] + F_v_star_push*P[108] + F_v_star_r_star*P[27] + F_v_star_rho*P[82] + F_v_star_u*PW_13 + F_v_star_v_star*P[13];
+    const bicycle_with_accelerometer_population_real FP_1_13 = F_r_star_K*P[52] + F_r_star_bank*P[103] + F_r_star_eta*P[73] + F_r_star_grip*P[90] + F_r_star_pi1*P[63] + F_r_star_place*P[97] + F_r_star_push*P[108] + F_r_star_r_star*P[27] + F_r_star_rho*P[82] + F_r_star_u*PW_13 + F_r_star_v_star*P[13];
+    P[13] = FP_0_13;
+    P[27] = FP_1_13;
+    const bicycle_with_accelerometer_population_real PW_14 = P[116] + P[41] + P[113]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_14 = F_v_star_K*P[53] + F_v_star_bank*P[104] + F_v_star_eta*P[74] + F_v_star_grip*P[91] + F_v_star_pi1*P[64] + F_v_star_place*P[98] + F_v_star_push*P[109] + F_v_star_r_star*P[28] + F_v_star_rho*P[83] + F_v_star_u*PW_14 + F_v_star_v_star*P[14];
+    const bicycle_with_accelerometer_population_real FP_1_14 = F_r_star_K*P[53] + F_r_star_bank*P[104] + F_r_star_eta*P[74] + F_r_star_grip*P[91] + F_r_star_pi1*P[64] + F_r_star_place*P[98] + F_r_star_push*P[109] + F_r_star_r_star*P[28] + F_r_star_rho*P[83] + F_r_star_u*PW_14 + F_r_star_v_star*P[14];
+    P[14] = FP_0_14;
+    P[28] = FP_1_14;
+    const bicycle_with_accelerometer_population_real WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer;
+    const bicycle_with_accelerometer_population_real WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer;
+    P[0] = P[0] + F_v_star_u*WPF_0;
+    P[1] = P[1] + F_r_star_u*WPF_0;
+    P[15] = P[15] + F_r_star_u*WPF_1;
+    P[29] = P[29]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[30] = P[30]*keep_w;
+    P[31] = P[31]*keep_w;
+    P[32] = P[32]*keep_w;
+    P[33] = P[33]*keep_w;
+    P[34] = P[34]*keep_w;
+    P[35] = P[35]*keep_w;
+    P[36] = P[36]*keep_bank*keep_w;
+    P[37] = P[37]*keep_push*keep_w;
+    P[38] = P[38]*keep_w;
+    P[39] = P[39]*keep_w;
+    P[40] = P[40]*keep_w;
+    P[41] = P[41]*keep_w;
+    P[42] = P[42] + sample->dt*(diffusion + state->jump*config->jump_drift);
+    P[48] = P[48]*keep_bank;
+    P[49] = P[49]*keep_push;
+    P[59] = P[59]*keep_bank;
+    P[60] = P[60]*keep_push;
+    P[69] = P[69]*keep_bank;
+    P[70] = P[70]*keep_push;
+    P[78] = P[78]*keep_bank;
+    P[79] = P[79]*keep_push;
+    P[86] = P[86]*keep_bank;
+    P[87] = P[87]*keep_push;
+    P[93] = P[93]*keep_bank;
+    P[94] = P[94]*keep_push;
+    P[99] = P[99]*(keep_bank*keep_bank) + config->P_prior[33]*(R(1.0) - (keep_bank*keep_bank));
+    P[100] = P[100]*keep_bank*keep_push;
+    P[101] = P[101]*keep_bank;
+    P[102] = P[102]*keep_bank;
+    P[103] = P[103]*keep_bank;
+    P[104] = P[104]*keep_bank;
+    P[105] = P[105]*(keep_push*keep_push) + config->P_prior[35]*(R(1.0) - (keep_push*keep_push));
+    P[106] = P[106]*keep_push;
+    P[107] = P[107]*keep_push;
+    P[108] = P[108]*keep_push;
+    P[109] = P[109]*keep_push;
+    P[117] = P[117] + config->bias_drift*sample->dt;
+    P[119] = P[119] + config->ay_bias_drift*sample->dt;
+}
+
+/* A part of the step: correct. */
+SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
+        bicycle_with_accelerometer_population_state *state,
+        const bicycle_with_accelerometer_population_real output_scale,
+        const bicycle_with_accelerometer_population_real inv_spread,
+        const bicycle_with_accelerometer_population_real c_1,
+        const bicycle_with_accelerometer_population_real learn_seldom,
+        const bicycle_with_accelerometer_population_real learn_slow,
+        const bicycle_with_accelerometer_population_real c_13,
+        const bicycle_with_accelerometer_population_real c_3,
+        const bicycle_with_accelerometer_population_real gain_3,
+        const bicycle_with_accelerometer_population_real innovation)
+{
+    bicycle_with_accelerometer_population_real *const P = state->P;
+    const bicycle_with_accelerometer_population_real c_0 = P[13] + P[1]*output_scale;
+    const bicycle_with_accelerometer_population_real c_2 = P[40] + P[16]*output_scale;
+    const bicycle_with_accelerometer_population_real c_4 = P[63] + P[18]*output_scale;
+    const bicycle_with_accelerometer_population_real c_5 = P[73] + P[19]*output_scale;
+    const bicycle_with_accelerometer_population_real c_6 = P[82] + P[20]*output_scale;
+    const bicycle_with_accelerometer_population_real c_7 = P[90] + P[21]*output_scale;
+    const bicycle_with_accelerometer_population_real c_8 = P[97] + P[22]*output_scale;
+    const bicycle_with_accelerometer_population_real c_9 = P[103] + P[23]*output_scale;
+    const bicycle_with_accelerometer_population_real c_10 = P[108] + P[24]*output_scale;
+    const bicycle_with_accelerometer_population_real c_11 = P[112] + P[25]*output_scale;
+    const bicycle_with_accelerometer_population_real c_12 = P[115] + P[26]*output_scale;
+    const bicycle_with_accelerometer_population_real c_14 = P[118] + P[28]*output_scale;
+    const bicycle_with_accelerometer_population_real gain_0 = c_0*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_1 = c_1*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_2 = c_2*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_4 = c_4*learn_seldom;
+    const bicycle_with_accelerometer_population_real gain_5 = c_5*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_6 = c_6*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_8 = c_8*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_9 = c_9*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_10 = c_10*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_11 = c_11*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_12 = c_12*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_13 = c_13*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_14 = c_14*inv_spread;
+    P[0] = P[0] - c_0*gain_0;
+    P[1] = P[1] - c_1*gain_0;
+    P[2] = P[2] - c_2*gain_0;
+    P[3] = P[3] - c_3*gain_0;
+    P[4] = P[4] - c_4*gain_0;
+    P[5] = P[5] - c_5*gain_0;
+    P[6] = P[6] - c_6*gain_0;
+    P[7] = P[7] - c_7*gain_0;
+    P[8] = P[8] - c_8*gain_0;
+    P[9] = P[9] - c_9*gain_0;
+    P[10] = P[10] - c_10*gain_0;
+    P[11] = P[11] - c_11*gain_0;
+    P[12] = P[12] - c_12*gain_0;
+    P[13] = P[13] - c_13*gain_0;
+    P[14] = P[14] - c_14*gain_0;
+    P[15] = P[15] - c_1*gain_1;
+    P[16] = P[16] - c_2*gain_1;
+    P[17] = P[17] - c_3*gain_1;
+    P[18] = P[18] - c_4*gain_1;
+    P[19] = P[19] - c_5*gain_1;
+    P[20] = P[20] - c_6*gain_1;
+    P[21] = P[21] - c_7*gain_1;
+    P[22] = P[22] - c_8*gain_1;
+    P[23] = P[23] - c_9*gain_1;
+    P[24] = P[24] - c_10*gain_1;
+    P[25] = P[25] - c_11*gain_1;
+    P[26] = P[26] - c_12*gain_1;
+    P[27] = P[27] - c_13*gain_1;
+    P[28] = P[28] - c_14*gain_1;
+    P[29] = P[29] - c_2*gain_2;
+    P[30] = P[30] - c_3*gain_2;
+    P[31] = P[31] - c_4*gain_2;
+    P[32] = P[32] - c_5*gain_2;
+    P[33] = P[33] - c_6*gain_2;
+    P[34] = P[34] - c_7*gain_2;
+    P[35] = P[35] - c_8*gain_2;
+    P[36] = P[36] - c_9*gain_2;
+    P[37] = P[37] - c_10*gain_2;
+    P[38] = P[38] - c_11*gain_2;
+    P[39] = P[39] - c_12*gain_2;
+    P[40] = P[40] - c_13*gain_2;
+    P[41] = P[41] - c_14*gain_2;
+    P[42] = P[42] - c_3*gain_3;
+    P[43] = P[43] - c_4*gain_3;
+    P[44] = P[44] - c_5*gain_3;
+    P[45] = P[45] - c_6*gain_3;
+    P[46] = P[46] - c_7*gain_3;
+    P[47] = P[47] - c_8*gain_3;
+    P[48] = P[48] - c_3*gain_9;
+    P[49] = P[49] - c_3*gain_10;
+    P[50] = P[50] - c_11*gain_3;
+    P[51] = P[51] - c_3*gain_12;
+    P[52] = P[52] - c_3*gain_13;
+    P[53] = P[53] - c_3*gain_14;
+    P[54] = P[54] - c_4*gain_4;
+    P[55] = P[55] - c_4*gain_5;
+    P[56] = P[56] - c_4*gain_6;
+    P[57] = P[57] - c_4*gain_7;
+    P[58] = P[58] - c_4*gain_8;
+    P[59] = P[59] - c_4*gain_9;
+    P[60] = P[60] - c_4*gain_10;
+    P[61] = P[61] - c_4*gain_11;
+    P[62] = P[62] - c_4*gain_12;
+    P[63] = P[63] - c_4*gain_13;
+    P[64] = P[64] - c_4*gain_14;
+    P[65] = P[65] - c_5*gain_5;
+    P[66] = P[66] - c_6*gain_5;
+    P[67] = P[67] - c_7*gain_5;
+    P[68] = P[68] - c_8*gain_5;
+    P[69] = P[69] - c_5*gain_9;
+    P[70] = P[70] - c_5*gain_10;
+    P[71] = P[71] - c_11*gain_5;
+    P[72] = P[72] - c_5*gain_12;
+    P[73] = P[73] - c_5*gain_13;
+    P[74] = P[74] - c_5*gain_14;
+    P[75] = P[75] - c_6*gain_6;
+    P[76] = P[76] - c_7*gain_6;
+    P[77] = P[77] - c_8*gain_6;
+    P[78] = P[78] - c_6*gain_9;
+    P[79] = P[79] - c_6*gain_10;
+    P[80] = P[80] - c_11*gain_6;
+    P[81] = P[81] - c_6*gain_12;
+    P[82] = P[82] - c_6*gain_13;
+    P[83] = P[83] - c_6*gain_14;
+    P[84] = P[84] - c_7*gain_7;
+    P[85] = P[85] - c_8*gain_7;
+    P[86] = P[86] - c_7*gain_9;
+    P[87] = P[87] - c_7*gain_10;
+    P[88] = P[88] - c_11*gain_7;
+    P[89] = P[89] - c_7*gain_12;
+    P[90] = P[90] - c_7*gain_13;
+    P[91] = P[91] - c_7*gain_14;
+    P[92] = P[92] - c_8*gain_8;
+    P[93] = P[93] - c_8*gain_9;
+    P[94] = P[94] - c_8*gain_10;
+    P[95] = P[95] - c_11*gain_8;
+    P[96] = P[96] - c_8*gain_12;
+    P[97] = P[97] - c_8*gain_13;
+    P[98] = P[98] - c_8*gain_14;
+    P[99] = P[99] - c_9*gain_9;
+    P[100] = P[100] - c_10*gain_9;
+    P[101] = P[101] - c_11*gain_9;
+    P[102] = P[102] - c_12*gain_9;
+    P[103] = P[103] - c_13*gain_9;
+    P[104] = P[104] - c_14*gain_9;
+    P[105] = P[105] - c_10*gain_10;
+    P[106] = P[106] - c_11*gain_10;
+    P[107] = P[107] - c_12*gain_10;
+    P[108] = P[108] - c_13*gain_10;
+    P[109] = P[109] - c_14*gain_10;
+    P[110] = P[110] - c_11*gain_11;
+    P[111] = P[111] - c_11*gain_12;
+    P[112] = P[112] - c_11*gain_13;
+    P[113] = P[113] - c_11*gain_14;
+    P[114] = P[114] - c_12*gain_12;
+    P[115] = P[115] - c_13*gain_12;
+    P[116] = P[116] - c_14*gain_12;
+    P[117] = P[117] - c_13*gain_13;
+    P[118] = P[118] - c_14*gain_13;
+    P[119] = P[119] - c_14*gain_14;
+    state->v_star = state->v_star + gain_0*innovation;
+    state->r_star = state->r_star + gain_1*innovation;
+    state->disturbance = state->disturbance + gain_2*innovation;
+    state->pi1 = state->pi1 + gain_4*innovation;
+    const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
+    const bicycle_with_accelerometer_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+    const bicycle_with_accelerometer_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+    state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+    const bicycle_with_accelerometer_population_real move_rho = gain_6*innovation;
+    const bicycle_with_accelerometer_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+    const bicycle_with_accelerometer_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+    state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+    const bicycle_with_accelerometer_population_real move_grip = gain_7*innovation;
+    const bicycle_with_accelerometer_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
+    const bicycle_with_accelerometer_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
+    state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+    state->place = state->place + gain_8*innovation;
+    state->bank = state->bank + gain_9*innovation;
+    state->push = state->push + gain_10*innovation;
+    const bicycle_with_accelerometer_population_real move_input_scale = gain_11*innovation;
+    const bicycle_with_accelerometer_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+    const bicycle_with_accelerometer_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+    state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+    state->input_offset = state->input_offset + gain_12*innovation;
+    state->output_bias = state->output_bias + gain_13*innovation;
+    state->ay_bias = state->ay_bias + gain_14*innovation;
+}
+
+/* A part of the step: correct_by_ay. */
+SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
+        bicycle_with_accelerometer_population_state *state,
+        const bicycle_with_accelerometer_population_real ay_by_K,
+        const bicycle_with_accelerometer_population_real ay_by_eta,
+        const bicycle_with_accelerometer_population_real ay_by_grip,
+        const bicycle_with_accelerometer_population_real ay_by_pi1,
+        const bicycle_with_accelerometer_population_real ay_by_place,
+        const bicycle_with_accelerometer_population_real ay_by_push,
+        const bicycle_with_accelerometer_population_real ay_by_r_star,
+        const bicycle_with_accelerometer_population_real ay_by_rho,
+        const bicycle_with_accelerometer_population_real ay_by_u,
+        const bicycle_with_accelerometer_population_real ay_by_v_star,
+        const bicycle_with_accelerometer_population_real u_now,
+        const bicycle_with_accelerometer_population_real ay_c_0,
+        const bicycle_with_accelerometer_population_real ay_inv_spread,
+        const bicycle_with_accelerometer_population_real ay_c_1,
+        const bicycle_with_accelerometer_population_real ay_c_2,
+        const bicycle_with_accelerometer_population_real ay_c_4,
+        const bicycle_with_accelerometer_population_real ay_learn_seldom,
+        const bicycle_with_accelerometer_population_real ay_c_5,
+        const bicycle_with_accelerometer_population_real ay_learn_slow,
+        const bicycle_with_accelerometer_population_real ay_c_6,
+        const bicycle_with_accelerometer_population_real ay_c_7,
+        const bicycle_with_accelerometer_population_real ay_c_8,
+        const bicycle_with_accelerometer_population_real ay_c_10,
+        const bicycle_with_accelerometer_population_real ay_c_11,
+        const bicycle_with_accelerometer_population_real ay_c_12,
+        const bicycle_with_accelerometer_population_real ay_c_14,
+        const bicycle_with_accelerometer_population_real ay_c_3,
+        const bicycle_with_accelerometer_population_real ay_gain_3,
+        const bicycle_with_accelerometer_population_real ay_innovation)
+{
+    bicycle_with_accelerometer_population_real *const P = state->P;
+    const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*state->input_scale*u_now);
+    const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*state->input_scale*u_now);
+    const bicycle_with_accelerometer_population_real ay_gain_0 = ay_c_0*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_1 = ay_c_1*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_2 = ay_c_2*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_4 = ay_c_4*ay_learn_seldom;
+    const bicycle_with_accelerometer_population_real ay_gain_5 = ay_c_5*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_6 = ay_c_6*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_8 = ay_c_8*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_10 = ay_c_10*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_11 = ay_c_11*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_12 = ay_c_12*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_13 = ay_c_13*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_14 = ay_c_14*ay_inv_spread;
+    P[0] = P[0] - ay_c_0*ay_gain_0;
+    P[1] = P[1] - ay_c_1*ay_gain_0;
+    P[2] = P[2] - ay_c_2*ay_gain_0;
+    P[3] = P[3] - ay_c_3*ay_gain_0;
+    P[4] = P[4] - ay_c_4*ay_gain_0;
+    P[5] = P[5] - ay_c_5*ay_gain_0;
+    P[6] = P[6] - ay_c_6*ay_gain_0;
+    P[7] = P[7] - ay_c_7*ay_gain_0;
+    P[8] = P[8] - ay_c_8*ay_gain_0;
+    P[9] = P[9] - ay_c_9*ay_gain_0;
+    P[10] = P[10] - ay_c_10*ay_gain_0;
+    P[11] = P[11] - ay_c_11*ay_gain_0;
+    P[12] = P[12] - ay_c_12*ay_gain_0;
+    P[13] = P[13] - ay_c_13*ay_gain_0;
+    P[14] = P[14] - ay_c_14*ay_gain_0;
+    P[15] = P[15] - ay_c_1*ay_gain_1;
+    P[16] = P[16] - ay_c_2*ay_gain_1;
+    P[17] = P[17] - ay_c_3*ay_gain_1;
+    P[18] = P[18] - ay_c_4*ay_gain_1;
+    P[19] = P[19] - ay_c_5*ay_gain_1;
+    P[20] = P[20] - ay_c_6*ay_gain_1;
+    P[21] = P[21] - ay_c_7*ay_gain_1;
+    P[22] = P[22] - ay_c_8*ay_gain_1;
+    P[23] = P[23] - ay_c_9*ay_gain_1;
+    P[24] = P[24] - ay_c_10*ay_gain_1;
+    P[25] = P[25] - ay_c_11*ay_gain_1;
+    P[26] = P[26] - ay_c_12*ay_gain_1;
+    P[27] = P[27] - ay_c_13*ay_gain_1;
+    P[28] = P[28] - ay_c_14*ay_gain_1;
+    P[29] = P[29] - ay_c_2*ay_gain_2;
+    P[30] = P[30] - ay_c_3*ay_gain_2;
+    P[31] = P[31] - ay_c_4*ay_gain_2;
+    P[32] = P[32] - ay_c_5*ay_gain_2;
+    P[33] = P[33] - ay_c_6*ay_gain_2;
+    P[34] = P[34] - ay_c_7*ay_gain_2;
+    P[35] = P[35] - ay_c_8*ay_gain_2;
+    P[36] = P[36] - ay_c_9*ay_gain_2;
+    P[37] = P[37] - ay_c_10*ay_gain_2;
+    P[38] = P[38] - ay_c_11*ay_gain_2;
+    P[39] = P[39] - ay_c_12*ay_gain_2;
+    P[40] = P[40] - ay_c_13*ay_gain_2;
+    P[41] = P[41] - ay_c_14*ay_gain_2;
+    P[42] = P[42] - ay_c_3*ay_gain_3;
+    P[43] = P[43] - ay_c_4*ay_gain_3;
+    P[44] = P[44] - ay_c_5*ay_gain_3;
+    P[45] = P[45] - ay_c_6*ay_gain_3;
+    P[46] = P[46] - ay_c_7*ay_gain_3;
+    P[47] = P[47] - ay_c_8*ay_gain_3;
+    P[48] = P[48] - ay_c_3*ay_gain_9;
+    P[49] = P[49] - ay_c_3*ay_gain_10;
+    P[50] = P[50] - ay_c_11*ay_gain_3;
+    P[51] = P[51] - ay_c_3*ay_gain_12;
+    P[52] = P[52] - ay_c_3*ay_gain_13;
+    P[53] = P[53] - ay_c_3*ay_gain_14;
+    P[54] = P[54] - ay_c_4*ay_gain_4;
+    P[55] = P[55] - ay_c_4*ay_gain_5;
+    P[56] = P[56] - ay_c_4*ay_gain_6;
+    P[57] = P[57] - ay_c_4*ay_gain_7;
+    P[58] = P[58] - ay_c_4*ay_gain_8;
+    P[59] = P[59] - ay_c_4*ay_gain_9;
+    P[60] = P[60] - ay_c_4*ay_gain_10;
+    P[61] = P[61] - ay_c_4*ay_gain_11;
+    P[62] = P[62] - ay_c_4*ay_gain_12;
+    P[63] = P[63] - ay_c_4*ay_gain_13;
+    P[64] = P[64] - ay_c_4*ay_gain_14;
+    P[65] = P[65] - ay_c_5*ay_gain_5;
+    P[66] = P[66] - ay_c_6*ay_gain_5;
+    P[67] = P[67] - ay_c_7*ay_gain_5;
+    P[68] = P[68] - ay_c_8*ay_gain_5;
+    P[69] = P[69] - ay_c_5*ay_gain_9;
+    P[70] = P[70] - ay_c_5*ay_gain_10;
+    P[71] = P[71] - ay_c_11*ay_gain_5;
+    P[72] = P[72] - ay_c_5*ay_gain_12;
+    P[73] = P[73] - ay_c_5*ay_gain_13;
+    P[74] = P[74] - ay_c_5*ay_gain_14;
+    P[75] = P[75] - ay_c_6*ay_gain_6;
+    P[76] = P[76] - ay_c_7*ay_gain_6;
+    P[77] = P[77] - ay_c_8*ay_gain_6;
+    P[78] = P[78] - ay_c_6*ay_gain_9;
+    P[79] = P[79] - ay_c_6*ay_gain_10;
+    P[80] = P[80] - ay_c_11*ay_gain_6;
+    P[81] = P[81] - ay_c_6*ay_gain_12;
+    P[82] = P[82] - ay_c_6*ay_gain_13;
+    P[83] = P[83] - ay_c_6*ay_gain_14;
+    P[84] = P[84] - ay_c_7*ay_gain_7;
+    P[85] = P[85] - ay_c_8*ay_gain_7;
+    P[86] = P[86] - ay_c_7*ay_gain_9;
+    P[87] = P[87] - ay_c_7*ay_gain_10;
+    P[88] = P[88] - ay_c_11*ay_gain_7;
+    P[89] = P[89] - ay_c_7*ay_gain_12;
+    P[90] = P[90] - ay_c_7*ay_gain_13;
+    P[91] = P[91] - ay_c_7*ay_gain_14;
+    P[92] = P[92] - ay_c_8*ay_gain_8;
+    P[93] = P[93] - ay_c_8*ay_gain_9;
+    P[94] = P[94] - ay_c_8*ay_gain_10;
+    P[95] = P[95] - ay_c_11*ay_gain_8;
+    P[96] = P[96] - ay_c_8*ay_gain_12;
+    P[97] = P[97] - ay_c_8*ay_gain_13;
+    P[98] = P[98] - ay_c_8*ay_gain_14;
+    P[99] = P[99] - ay_c_9*ay_gain_9;
+    P[100] = P[100] - ay_c_10*ay_gain_9;
+    P[101] = P[101] - ay_c_11*ay_gain_9;
+    P[102] = P[102] - ay_c_12*ay_gain_9;
+    P[103] = P[103] - ay_c_13*ay_gain_9;
+    P[104] = P[104] - ay_c_14*ay_gain_9;
+    P[105] = P[105] - ay_c_10*ay_gain_10;
+    P[106] = P[106] - ay_c_11*ay_gain_10;
+    P[107] = P[107] - ay_c_12*ay_gain_10;
+    P[108] = P[108] - ay_c_13*ay_gain_10;
+    P[109] = P[109] - ay_c_14*ay_gain_10;
+    P[110] = P[110] - ay_c_11*ay_gain_11;
+    P[111] = P[111] - ay_c_11*ay_gain_12;
+    P[112] = P[112] - ay_c_11*ay_gain_13;
+    P[113] = P[113] - ay_c_11*ay_gain_14;
+    P[114] = P[114] - ay_c_12*ay_gain_12;
+    P[115] = P[115] - ay_c_13*ay_gain_12;
+    P[116] = P[116] - ay_c_14*ay_gain_12;
+    P[117] = P[117] - ay_c_13*ay_gain_13;
+    P[118] = P[118] - ay_c_14*ay_gain_13;
+    P[119] = P[119] - ay_c_14*ay_gain_14;
+    state->v_star = state->v_star + ay_gain_0*ay_innovation;
+    state->r_star = state->r_star + ay_gain_1*ay_innovation;
+    state->disturbance = state->disturbance + ay_gain_2*ay_innovation;
+    state->pi1 = state->pi1 + ay_gain_4*ay_innovation;
+    const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;
+    const bicycle_with_accelerometer_population_real above_ay_move_eta = (((-R(1.0))) > (ay_move_eta) ? (-R(1.0)) : ay_move_eta);
+    const bicycle_with_accelerometer_population_real bounded_ay_move_eta = ((R(1.0)) < (above_ay_move_eta) ? R(1.0) : above_ay_move_eta);
+    state->eta = state->eta*(R(1.0) + bounded_ay_move_eta*(R(1.0) + bounded_ay_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_eta)));
+    const bicycle_with_accelerometer_population_real ay_move_rho = ay_gain_6*ay_innovation;
+    const bicycle_with_accelerometer_population_real above_ay_move_rho = (((-R(1.0))) > (ay_move_rho) ? (-R(1.0)) : ay_move_rho);
+    const bicycle_with_accelerometer_population_real bounded_ay_move_rho = ((R(1.0)) < (above_ay_move_rho) ? R(1.0) : above_ay_move_rho);
+    state->rho = state->rho*(R(1.0) + bounded_ay_move_rho*(R(1.0) + bounded_ay_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_rho)));
+    const bicycle_with_accelerometer_population_real ay_move_grip = ay_gain_7*ay_innovation;
+    const bicycle_with_accelerometer_population_real above_ay_move_grip = (((-R(1.0))) > (ay_move_grip) ? (-R(1.0)) : ay_move_grip);
+    const bicycle_with_accelerometer_population_real bounded_ay_move_grip = ((R(1.0)) < (above_ay_move_grip) ? R(1.0) : above_ay_move_grip);
+    state->grip = state->grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
+    state->place = state->place + ay_gain_8*ay_innovation;
+    state->bank = state->bank + ay_gain_9*ay_innovation;
+    state->push = state->push + ay_gain_10*ay_innovation;
+    const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_11*ay_innovation;
+    const bicycle_with_accelerometer_population_real above_ay_move_input_scale = (((-R(1.0))) > (ay_move_input_scale) ? (-R(1.0)) : ay_move_input_scale);
+    const bicycle_with_accelerometer_population_real bounded_ay_move_input_scale = ((R(1.0)) < (above_ay_move_input_scale) ? R(1.0) : above_ay_move_input_scale);
+    state->input_scale = state->input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
+    state->input_offset = state->input_offset + ay_gain_12*ay_innovation;
+    state->output_bias = state->output_bias + ay_gain_13*ay_innovation;
+    state->ay_bias = state->ay_bias + ay_gain_14*ay_innovation;
+}
+
 /* What the step and the batch loop do with one sample. */
 SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycle_with_accelerometer_population_config *config, bicycle_with_accelerometer_population_state *state,
                                      const bicycle_with_accelerometer_population_sample *sample, bicycle_with_accelerometer_population_output *output)
@@ -433,7 +896,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real rho_now = R(0.0);
     int status = 0;
     bicycle_with_accelerometer_population_real u_now = R(0.0);
-    bicycle_with_accelerometer_population_real usable = R(0.0);
+    int usable = 0;
     bicycle_with_accelerometer_population_real variance = R(0.0);
 
     status = 0;
@@ -443,25 +906,25 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     noise_now = innovation_variance;
     disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
-        usable = R(1.0);
+        usable = 1;
         anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
-        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+        if (WITHIN(sample->input, config->input_limit)) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+        if (WITHIN(sample->U, config->signal_limit)) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
-            usable = R(0.0);
+        if (!(WITHIN(sample->measured, config->output_limit))) { /* no measurement */
+            usable = 0;
             status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
@@ -469,14 +932,14 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->last_input = u_now;
             state->last_U = U_now;
         }
-        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+        if ((state->age > config->gap) && (usable > 0)) { /* the first sample after a gap */
             status = 5;
             anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = 1;
             state->started = R(0.0);
-            usable = R(0.0);
+            usable = 0;
             status = 6;
         }
         if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
@@ -583,78 +1046,73 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
         const bicycle_with_accelerometer_population_real c0 = (inv_U*inv_U);
         const bicycle_with_accelerometer_population_real c1 = (at_U*at_U);
-        const bicycle_with_accelerometer_population_real c2 = config->L*state->bank + config->L*state->push;
-        const bicycle_with_accelerometer_population_real c3 = load0*over0*part0;
-        const bicycle_with_accelerometer_population_real c4 = load2*over2*part2;
+        const bicycle_with_accelerometer_population_real c2 = load0*over0*part0;
+        const bicycle_with_accelerometer_population_real c3 = load2*over2*part2;
+        const bicycle_with_accelerometer_population_real c4 = config->L*state->bank + config->L*state->push;
         const bicycle_with_accelerometer_population_real c5 = config->L*c0;
         const bicycle_with_accelerometer_population_real c6 = c5*state->grip;
         const bicycle_with_accelerometer_population_real c7 = c6*inv1;
         const bicycle_with_accelerometer_population_real c8 = load1*over1*part1;
         const bicycle_with_accelerometer_population_real c9 = load3*over3*part3;
-        const bicycle_with_accelerometer_population_real c10 = c5*(load1*over1*part1*state->pi1 - c8 - c9*state->pi1);
-        const bicycle_with_accelerometer_population_real c11 = inv1*(c8 - c9);
-        const bicycle_with_accelerometer_population_real c12 = c11*c6;
+        const bicycle_with_accelerometer_population_real c10 = c9*state->pi1;
+        const bicycle_with_accelerometer_population_real c11 = c8 - c9;
+        const bicycle_with_accelerometer_population_real c12 = c11*c7;
         const bicycle_with_accelerometer_population_real c13 = (part0*part0);
         const bicycle_with_accelerometer_population_real c14 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
-        const bicycle_with_accelerometer_population_real c15 = state->K*inv0*inv_L;
-        const bicycle_with_accelerometer_population_real c16 = c15*inv2;
-        const bicycle_with_accelerometer_population_real c17 = c13*c14*c16;
-        const bicycle_with_accelerometer_population_real c18 = c17*state->pi1;
-        const bicycle_with_accelerometer_population_real c19 = (-c18);
-        const bicycle_with_accelerometer_population_real c20 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
-        const bicycle_with_accelerometer_population_real c21 = c16*c20;
-        const bicycle_with_accelerometer_population_real c22 = R(0.16666666666666666)*h;
-        const bicycle_with_accelerometer_population_real c23 = c15*c20;
-        const bicycle_with_accelerometer_population_real c24 = c22*c7;
-        const bicycle_with_accelerometer_population_real c25 = inv2*inv_L;
-        const bicycle_with_accelerometer_population_real c26 = c25*inv0;
-        const bicycle_with_accelerometer_population_real c27 = state->v_star_plain + state->pi1*state->r_star_plain;
-        const bicycle_with_accelerometer_population_real c28 = c27 - u_plain;
-        const bicycle_with_accelerometer_population_real c29 = (part1*part1);
-        const bicycle_with_accelerometer_population_real c30 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
-        const bicycle_with_accelerometer_population_real c31 = c29*c30;
-        const bicycle_with_accelerometer_population_real c32 = c28*c31;
-        const bicycle_with_accelerometer_population_real c33 = c26*c32;
-        const bicycle_with_accelerometer_population_real c34 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
-        const bicycle_with_accelerometer_population_real c35 = state->eta*(c27 - state->r_star_plain);
-        const bicycle_with_accelerometer_population_real c36 = c34*c35;
-        const bicycle_with_accelerometer_population_real c37 = c26*c36;
-        const bicycle_with_accelerometer_population_real c38 = c15*(inv2*inv2);
-        const bicycle_with_accelerometer_population_real c39 = state->K*inv0*inv2*inv_L*state->r_star_plain - c28*c38;
-        const bicycle_with_accelerometer_population_real c40 = c31*c39;
-        const bicycle_with_accelerometer_population_real c41 = c34*(state->K*state->eta*inv0*inv2*inv_L*state->r_star_plain - c35*c38);
-        const bicycle_with_accelerometer_population_real c42 = state->K*c25;
-        const bicycle_with_accelerometer_population_real c43 = c42*c5;
-        const bicycle_with_accelerometer_population_real c44 = c43*inv1;
-        const bicycle_with_accelerometer_population_real c45 = c42*(inv0*inv0);
-        const bicycle_with_accelerometer_population_real c46 = c32*c45;
-        const bicycle_with_accelerometer_population_real c47 = c36*c45;
-        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*state->r_star - c2)) - c6*(load0*over0*part0*state->pi1 - c3 - c4*state->pi1); /* rate [-] */
-        const bicycle_with_accelerometer_population_real f_r_star = c7*(c3 - c4); /* rate [-] */
-        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*state->r_star_plain - c2)) - c10*state->grip;
+        const bicycle_with_accelerometer_population_real c15 = c13*c14;
+        const bicycle_with_accelerometer_population_real c16 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const bicycle_with_accelerometer_population_real c17 = R(0.16666666666666666)*h;
+        const bicycle_with_accelerometer_population_real c18 = state->K*inv_L;
+        const bicycle_with_accelerometer_population_real c19 = c18*inv2;
+        const bicycle_with_accelerometer_population_real c20 = c19*c5;
+        const bicycle_with_accelerometer_population_real c21 = c16 - c13*c14*inv2*state->pi1;
+        const bicycle_with_accelerometer_population_real c22 = c18*state->pi1;
+        const bicycle_with_accelerometer_population_real c23 = c20*inv1;
+        const bicycle_with_accelerometer_population_real c24 = c18*c5*inv1;
+        const bicycle_with_accelerometer_population_real c25 = state->v_star_plain + state->pi1*state->r_star_plain;
+        const bicycle_with_accelerometer_population_real c26 = c25 - u_plain;
+        const bicycle_with_accelerometer_population_real c27 = (part1*part1);
+        const bicycle_with_accelerometer_population_real c28 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
+        const bicycle_with_accelerometer_population_real c29 = c27*c28;
+        const bicycle_with_accelerometer_population_real c30 = c26*c29;
+        const bicycle_with_accelerometer_population_real c31 = (-state->r_star_plain);
+        const bicycle_with_accelerometer_population_real c32 = c25 + c31;
+        const bicycle_with_accelerometer_population_real c33 = state->eta*(part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
+        const bicycle_with_accelerometer_population_real c34 = c32*c33;
+        const bicycle_with_accelerometer_population_real c35 = c30 + c34*state->pi1 - c26*c27*c28*state->pi1;
+        const bicycle_with_accelerometer_population_real c36 = c34 - c30;
+        const bicycle_with_accelerometer_population_real c37 = (-c8);
+        const bicycle_with_accelerometer_population_real c38 = (-c31) - c26*inv2;
+        const bicycle_with_accelerometer_population_real c39 = c19*inv0;
+        const bicycle_with_accelerometer_population_real c40 = c32*inv2;
+        const bicycle_with_accelerometer_population_real c41 = c33*((-c31) - c40);
+        const bicycle_with_accelerometer_population_real c42 = c33*c40;
+        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*state->r_star + config->L*state->grip*(load0*over0*part0*state->pi1 - c2 - c3*state->pi1) - c4)); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_r_star = c7*(c2 - c3); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*state->r_star_plain + config->L*state->grip*(load1*over1*part1*state->pi1 - c10 - c8) - c4));
         const bicycle_with_accelerometer_population_real f_r_star_plain = c12;
-        const bicycle_with_accelerometer_population_real J_00 = (-c22*c6*((-c17) - c19 - c21*state->pi1));
-        const bicycle_with_accelerometer_population_real J_01 = c22*((-c0*c1) - c6*(state->K*c13*c14*inv0*inv2*inv_L*(state->pi1*state->pi1) - c18 - c23*state->pi1));
-        const bicycle_with_accelerometer_population_real J_10 = c24*(c17 - c21);
-        const bicycle_with_accelerometer_population_real J_11 = c24*((-c19) - c23);
-        const bicycle_with_accelerometer_population_real f_v_star_K = (-state->K*c6*(c28*c29*c30*inv0*inv2*inv_L*state->pi1 - c33 - c37*state->pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_K = state->K*c7*(c33 - c37);
-        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(c8 + c29*c30*c39*state->pi1 - c40 - c9 - c41*state->pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_pi1 = c7*(c40 - c41);
-        const bicycle_with_accelerometer_population_real f_v_star_eta = c36*c43*state->pi1;
-        const bicycle_with_accelerometer_population_real f_r_star_eta = (-c36*c44);
+        const bicycle_with_accelerometer_population_real J_00 = (-c17*c20*(c13*c14*state->pi1 - c15 - c16*state->pi1));
+        const bicycle_with_accelerometer_population_real J_01 = (-c0*c17*(c1 + config->L*c22*((-c21) - c15*inv2)));
+        const bicycle_with_accelerometer_population_real J_10 = c17*c23*(c15 - c16);
+        const bicycle_with_accelerometer_population_real J_11 = (-c17*c21*c24);
+        const bicycle_with_accelerometer_population_real f_v_star_K = c20*c35;
+        const bicycle_with_accelerometer_population_real f_r_star_K = (-c23*c36);
+        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(state->K*c27*c28*c38*inv0*inv2*inv_L*state->pi1 - c37 - c9 - c29*c38*c39 - c22*c41*inv0*inv2));
+        const bicycle_with_accelerometer_population_real f_r_star_pi1 = c23*(c27*c28*c38 - c41);
+        const bicycle_with_accelerometer_population_real f_v_star_eta = c22*c42*c5;
+        const bicycle_with_accelerometer_population_real f_r_star_eta = (-c24*c42);
         const bicycle_with_accelerometer_population_real f_v_star_rho = R(0.0);
         const bicycle_with_accelerometer_population_real f_r_star_rho = (-c12);
-        const bicycle_with_accelerometer_population_real f_v_star_grip = state->grip*((-c10) - c6*(c46 + c47*state->pi1 - c46*state->pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_grip = state->grip*(c11*c5 + c7*(c47 - c46));
+        const bicycle_with_accelerometer_population_real f_v_star_grip = (-c6*(c37 + c35*c39 + c8*state->pi1 - c10));
+        const bicycle_with_accelerometer_population_real f_r_star_grip = c7*(c11 + c36*c39);
         const bicycle_with_accelerometer_population_real f_v_star_place = R(0.0);
         const bicycle_with_accelerometer_population_real f_r_star_place = R(0.0);
         const bicycle_with_accelerometer_population_real f_v_star_bank = c5;
         const bicycle_with_accelerometer_population_real f_r_star_bank = R(0.0);
         const bicycle_with_accelerometer_population_real f_v_star_push = c5;
         const bicycle_with_accelerometer_population_real f_r_star_push = R(0.0);
-        const bicycle_with_accelerometer_population_real f_v_star_u = (-c6*(state->K*c29*c30*inv0*inv2*inv_L - c16*c31*state->pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_u = (-c31*c44);
+        const bicycle_with_accelerometer_population_real f_v_star_u = (-c20*c29*(R(1.0) - state->pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_u = (-c23*c29);
         const bicycle_with_accelerometer_population_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_with_accelerometer_population_real p1 = (-J_00) - J_11;
         const bicycle_with_accelerometer_population_real n0 = R(1.0) - R(1.5)*p0;
@@ -750,121 +1208,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real F_v_star_r_star = M_01*ratio_r_star;
         const bicycle_with_accelerometer_population_real F_r_star_v_star = M_10*ratio_v_star;
         const bicycle_with_accelerometer_population_real F_r_star_r_star = M_11*ratio_r_star;
-        const bicycle_with_accelerometer_population_real PW_0 = P[12] + P[2] + P[11]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_bank*P[9] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4]) + (F_v_star_place*P[8] + F_v_star_push*P[10] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
-        const bicycle_with_accelerometer_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_bank*P[9] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4]) + (F_r_star_place*P[8] + F_r_star_push*P[10] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
-        const bicycle_with_accelerometer_population_real PW_1 = P[16] + P[26] + P[25]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_1 = (F_v_star_K*P[17] + F_v_star_bank*P[23] + F_v_star_eta*P[19] + F_v_star_grip*P[21] + F_v_star_pi1*P[18]) + (F_v_star_place*P[22] + F_v_star_push*P[24] + F_v_star_r_star*P[15] + F_v_star_rho*P[20] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
-        const bicycle_with_accelerometer_population_real FP_1_1 = (F_r_star_K*P[17] + F_r_star_bank*P[23] + F_r_star_eta*P[19] + F_r_star_grip*P[21] + F_r_star_pi1*P[18]) + (F_r_star_place*P[22] + F_r_star_push*P[24] + F_r_star_r_star*P[15] + F_r_star_rho*P[20] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
-        const bicycle_with_accelerometer_population_real PW_2 = P[29] + P[39] + P[38]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_2 = (F_v_star_K*P[30] + F_v_star_bank*P[36] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31]) + (F_v_star_place*P[35] + F_v_star_push*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[33] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
-        const bicycle_with_accelerometer_population_real FP_1_2 = (F_r_star_K*P[30] + F_r_star_bank*P[36] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31]) + (F_r_star_place*P[35] + F_r_star_push*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[33] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
-        const bicycle_with_accelerometer_population_real PW_3 = P[30] + P[51] + P[50]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_3 = (F_v_star_K*P[42] + F_v_star_bank*P[48] + F_v_star_eta*P[44] + F_v_star_grip*P[46] + F_v_star_pi1*P[43]) + (F_v_star_place*P[47] + F_v_star_push*P[49] + F_v_star_r_star*P[17] + F_v_star_rho*P[45] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
-        const bicycle_with_accelerometer_population_real FP_1_3 = (F_r_star_K*P[42] + F_r_star_bank*P[48] + F_r_star_eta*P[44] + F_r_star_grip*P[46] + F_r_star_pi1*P[43]) + (F_r_star_place*P[47] + F_r_star_push*P[49] + F_r_star_r_star*P[17] + F_r_star_rho*P[45] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
-        const bicycle_with_accelerometer_population_real PW_4 = P[31] + P[62] + P[61]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_4 = (F_v_star_K*P[43] + F_v_star_bank*P[59] + F_v_star_eta*P[55] + F_v_star_grip*P[57] + F_v_star_pi1*P[54]) + (F_v_star_place*P[58] + F_v_star_push*P[60] + F_v_star_r_star*P[18] + F_v_star_rho*P[56] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
-        const bicycle_with_accelerometer_population_real FP_1_4 = (F_r_star_K*P[43] + F_r_star_bank*P[59] + F_r_star_eta*P[55] + F_r_star_grip*P[57] + F_r_star_pi1*P[54]) + (F_r_star_place*P[58] + F_r_star_push*P[60] + F_r_star_r_star*P[18] + F_r_star_rho*P[56] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
-        const bicycle_with_accelerometer_population_real PW_5 = P[32] + P[72] + P[71]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_5 = (F_v_star_K*P[44] + F_v_star_bank*P[69] + F_v_star_eta*P[65] + F_v_star_grip*P[67] + F_v_star_pi1*P[55]) + (F_v_star_place*P[68] + F_v_star_push*P[70] + F_v_star_r_star*P[19] + F_v_star_rho*P[66] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
-        const bicycle_with_accelerometer_population_real FP_1_5 = (F_r_star_K*P[44] + F_r_star_bank*P[69] + F_r_star_eta*P[65] + F_r_star_grip*P[67] + F_r_star_pi1*P[55]) + (F_r_star_place*P[68] + F_r_star_push*P[70] + F_r_star_r_star*P[19] + F_r_star_rho*P[66] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
-        const bicycle_with_accelerometer_population_real PW_6 = P[33] + P[81] + P[80]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_6 = (F_v_star_K*P[45] + F_v_star_bank*P[78] + F_v_star_eta*P[66] + F_v_star_grip*P[76] + F_v_star_pi1*P[56]) + (F_v_star_place*P[77] + F_v_star_push*P[79] + F_v_star_r_star*P[20] + F_v_star_rho*P[75] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
-        const bicycle_with_accelerometer_population_real FP_1_6 = (F_r_star_K*P[45] + F_r_star_bank*P[78] + F_r_star_eta*P[66] + F_r_star_grip*P[76] + F_r_star_pi1*P[56]) + (F_r_star_place*P[77] + F_r_star_push*P[79] + F_r_star_r_star*P[20] + F_r_star_rho*P[75] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
-        const bicycle_with_accelerometer_population_real PW_7 = P[34] + P[89] + P[88]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_7 = (F_v_star_K*P[46] + F_v_star_bank*P[86] + F_v_star_eta*P[67] + F_v_star_grip*P[84] + F_v_star_pi1*P[57]) + (F_v_star_place*P[85] + F_v_star_push*P[87] + F_v_star_r_star*P[21] + F_v_star_rho*P[76] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
-        const bicycle_with_accelerometer_population_real FP_1_7 = (F_r_star_K*P[46] + F_r_star_bank*P[86] + F_r_star_eta*P[67] + F_r_star_grip*P[84] + F_r_star_pi1*P[57]) + (F_r_star_place*P[85] + F_r_star_push*P[87] + F_r_star_r_star*P[21] + F_r_star_rho*P[76] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
-        const bicycle_with_accelerometer_population_real PW_8 = P[35] + P[96] + P[95]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_8 = (F_v_star_K*P[47] + F_v_star_bank*P[93] + F_v_star_eta*P[68] + F_v_star_grip*P[85] + F_v_star_pi1*P[58]) + (F_v_star_place*P[92] + F_v_star_push*P[94] + F_v_star_r_star*P[22] + F_v_star_rho*P[77] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
-        const bicycle_with_accelerometer_population_real FP_1_8 = (F_r_star_K*P[47] + F_r_star_bank*P[93] + F_r_star_eta*P[68] + F_r_star_grip*P[85] + F_r_star_pi1*P[58]) + (F_r_star_place*P[92] + F_r_star_push*P[94] + F_r_star_r_star*P[22] + F_r_star_rho*P[77] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
-        const bicycle_with_accelerometer_population_real PW_9 = P[102] + P[36] + P[101]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_9 = (F_v_star_K*P[48] + F_v_star_bank*P[99] + F_v_star_eta*P[69] + F_v_star_grip*P[86] + F_v_star_pi1*P[59]) + (F_v_star_place*P[93] + F_v_star_push*P[100] + F_v_star_r_star*P[23] + F_v_star_rho*P[78] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
-        const bicycle_with_accelerometer_population_real FP_1_9 = (F_r_star_K*P[48] + F_r_star_bank*P[99] + F_r_star_eta*P[69] + F_r_star_grip*P[86] + F_r_star_pi1*P[59]) + (F_r_star_place*P[93] + F_r_star_push*P[100] + F_r_star_r_star*P[23] + F_r_star_rho*P[78] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
-        const bicycle_with_accelerometer_population_real PW_10 = P[107] + P[37] + P[106]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_10 = (F_v_star_K*P[49] + F_v_star_bank*P[100] + F_v_star_eta*P[70] + F_v_star_grip*P[87] + F_v_star_pi1*P[60]) + (F_v_star_place*P[94] + F_v_star_push*P[105] + F_v_star_r_star*P[24] + F_v_star_rho*P[79] + F_v_star_u*PW_10 + F_v_star_v_star*P[10]);
-        const bicycle_with_accelerometer_population_real FP_1_10 = (F_r_star_K*P[49] + F_r_star_bank*P[100] + F_r_star_eta*P[70] + F_r_star_grip*P[87] + F_r_star_pi1*P[60]) + (F_r_star_place*P[94] + F_r_star_push*P[105] + F_r_star_r_star*P[24] + F_r_star_rho*P[79] + F_r_star_u*PW_10 + F_r_star_v_star*P[10]);
-        const bicycle_with_accelerometer_population_real PW_11 = P[111] + P[38] + P[110]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_11 = (F_v_star_K*P[50] + F_v_star_bank*P[101] + F_v_star_eta*P[71] + F_v_star_grip*P[88] + F_v_star_pi1*P[61]) + (F_v_star_place*P[95] + F_v_star_push*P[106] + F_v_star_r_star*P[25] + F_v_star_rho*P[80] + F_v_star_u*PW_11 + F_v_star_v_star*P[11]);
-        const bicycle_with_accelerometer_population_real FP_1_11 = (F_r_star_K*P[50] + F_r_star_bank*P[101] + F_r_star_eta*P[71] + F_r_star_grip*P[88] + F_r_star_pi1*P[61]) + (F_r_star_place*P[95] + F_r_star_push*P[106] + F_r_star_r_star*P[25] + F_r_star_rho*P[80] + F_r_star_u*PW_11 + F_r_star_v_star*P[11]);
-        const bicycle_with_accelerometer_population_real PW_12 = P[114] + P[39] + P[111]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_12 = (F_v_star_K*P[51] + F_v_star_bank*P[102] + F_v_star_eta*P[72] + F_v_star_grip*P[89] + F_v_star_pi1*P[62]) + (F_v_star_place*P[96] + F_v_star_push*P[107] + F_v_star_r_star*P[26] + F_v_star_rho*P[81] + F_v_star_u*PW_12 + F_v_star_v_star*P[12]);
-        const bicycle_with_accelerometer_population_real FP_1_12 = (F_r_star_K*P[51] + F_r_star_bank*P[102] + F_r_star_eta*P[72] + F_r_star_grip*P[89] + F_r_star_pi1*P[62]) + (F_r_star_place*P[96] + F_r_star_push*P[107] + F_r_star_r_star*P[26] + F_r_star_rho*P[81] + F_r_star_u*PW_12 + F_r_star_v_star*P[12]);
-        const bicycle_with_accelerometer_population_real PW_13 = P[115] + P[40] + P[112]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_13 = (F_v_star_K*P[52] + F_v_star_bank*P[103] + F_v_star_eta*P[73] + F_v_star_grip*P[90] + F_v_star_pi1*P[63]) + (F_v_star_place*P[97] + F_v_star_push*P[108] + F_v_star_r_star*P[27] + F_v_star_rho*P[82] + F_v_star_u*PW_13 + F_v_star_v_star*P[13]);
-        const bicycle_with_accelerometer_population_real FP_1_13 = (F_r_star_K*P[52] + F_r_star_bank*P[103] + F_r_star_eta*P[73] + F_r_star_grip*P[90] + F_r_star_pi1*P[63]) + (F_r_star_place*P[97] + F_r_star_push*P[108] + F_r_star_r_star*P[27] + F_r_star_rho*P[82] + F_r_star_u*PW_13 + F_r_star_v_star*P[13]);
-        const bicycle_with_accelerometer_population_real PW_14 = P[116] + P[41] + P[113]*steer;
-        const bicycle_with_accelerometer_population_real FP_0_14 = (F_v_star_K*P[53] + F_v_star_bank*P[104] + F_v_star_eta*P[74] + F_v_star_grip*P[91] + F_v_star_pi1*P[64]) + (F_v_star_place*P[98] + F_v_star_push*P[109] + F_v_star_r_star*P[28] + F_v_star_rho*P[83] + F_v_star_u*PW_14 + F_v_star_v_star*P[14]);
-        const bicycle_with_accelerometer_population_real FP_1_14 = (F_r_star_K*P[53] + F_r_star_bank*P[104] + F_r_star_eta*P[74] + F_r_star_grip*P[91] + F_r_star_pi1*P[64]) + (F_r_star_place*P[98] + F_r_star_push*P[109] + F_r_star_r_star*P[28] + F_r_star_rho*P[83] + F_r_star_u*PW_14 + F_r_star_v_star*P[14]);
-        const bicycle_with_accelerometer_population_real WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer;
-        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_10*F_v_star_push + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + FP_0_8*F_v_star_place + FP_0_9*F_v_star_bank + F_v_star_u*WPF_0);
-        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_10*F_r_star_push + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + FP_0_8*F_r_star_place + FP_0_9*F_r_star_bank + F_r_star_u*WPF_0);
-        P[2] = FP_0_2*keep_w;
-        P[3] = FP_0_3;
-        P[4] = FP_0_4;
-        P[5] = FP_0_5;
-        P[6] = FP_0_6;
-        P[7] = FP_0_7;
-        P[8] = FP_0_8;
-        P[9] = FP_0_9*keep_bank;
-        P[10] = FP_0_10*keep_push;
-        P[11] = FP_0_11;
-        P[12] = FP_0_12;
-        P[13] = FP_0_13;
-        P[14] = FP_0_14;
-        const bicycle_with_accelerometer_population_real WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer;
-        P[15] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_10*F_r_star_push + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + FP_1_8*F_r_star_place + FP_1_9*F_r_star_bank + F_r_star_u*WPF_1);
-        P[16] = FP_1_2*keep_w;
-        P[17] = FP_1_3;
-        P[18] = FP_1_4;
-        P[19] = FP_1_5;
-        P[20] = FP_1_6;
-        P[21] = FP_1_7;
-        P[22] = FP_1_8;
-        P[23] = FP_1_9*keep_bank;
-        P[24] = FP_1_10*keep_push;
-        P[25] = FP_1_11;
-        P[26] = FP_1_12;
-        P[27] = FP_1_13;
-        P[28] = FP_1_14;
-        P[29] = P[29]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
-        P[30] = P[30]*keep_w;
-        P[31] = P[31]*keep_w;
-        P[32] = P[32]*keep_w;
-        P[33] = P[33]*keep_w;
-        P[34] = P[34]*keep_w;
-        P[35] = P[35]*keep_w;
-        P[36] = P[36]*keep_bank*keep_w;
-        P[37] = P[37]*keep_push*keep_w;
-        P[38] = P[38]*keep_w;
-        P[39] = P[39]*keep_w;
-        P[40] = P[40]*keep_w;
-        P[41] = P[41]*keep_w;
-        P[42] = P[42] + sample->dt*(diffusion + state->jump*config->jump_drift);
-        P[48] = P[48]*keep_bank;
-        P[49] = P[49]*keep_push;
-        P[59] = P[59]*keep_bank;
-        P[60] = P[60]*keep_push;
-        P[69] = P[69]*keep_bank;
-        P[70] = P[70]*keep_push;
-        P[78] = P[78]*keep_bank;
-        P[79] = P[79]*keep_push;
-        P[86] = P[86]*keep_bank;
-        P[87] = P[87]*keep_push;
-        P[93] = P[93]*keep_bank;
-        P[94] = P[94]*keep_push;
-        P[99] = P[99]*(keep_bank*keep_bank) + config->P_prior[33]*(R(1.0) - (keep_bank*keep_bank));
-        P[100] = P[100]*keep_bank*keep_push;
-        P[101] = P[101]*keep_bank;
-        P[102] = P[102]*keep_bank;
-        P[103] = P[103]*keep_bank;
-        P[104] = P[104]*keep_bank;
-        P[105] = P[105]*(keep_push*keep_push) + config->P_prior[35]*(R(1.0) - (keep_push*keep_push));
-        P[106] = P[106]*keep_push;
-        P[107] = P[107]*keep_push;
-        P[108] = P[108]*keep_push;
-        P[109] = P[109]*keep_push;
-        P[117] = P[117] + config->bias_drift*sample->dt;
-        P[119] = P[119] + config->ay_bias_drift*sample->dt;
+        bicycle_with_accelerometer_population_propagate(config, state, sample, steer, F_v_star_K, F_v_star_bank, F_v_star_eta, F_v_star_grip, F_v_star_pi1, F_v_star_place, F_v_star_push, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_bank, F_r_star_eta, F_r_star_grip, F_r_star_pi1, F_r_star_place, F_r_star_push, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, keep_bank, keep_push, w_nominal, diffusion);
         state->disturbance = state->disturbance*keep_w;
         state->bank = config->bank_prior + keep_bank*(state->bank - config->bank_prior);
         state->push = config->push_prior + keep_push*(state->push - config->push_prior);
@@ -883,22 +1227,10 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const bicycle_with_accelerometer_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
-        if (usable > R(0.5)) { /* measurement */
-            const bicycle_with_accelerometer_population_real c_0 = P[13] + P[1]*output_scale;
+        if (usable > 0) { /* measurement */
             const bicycle_with_accelerometer_population_real c_1 = P[27] + P[15]*output_scale;
-            const bicycle_with_accelerometer_population_real c_2 = P[40] + P[16]*output_scale;
             const bicycle_with_accelerometer_population_real c_3 = P[52] + P[17]*output_scale;
-            const bicycle_with_accelerometer_population_real c_4 = P[63] + P[18]*output_scale;
-            const bicycle_with_accelerometer_population_real c_5 = P[73] + P[19]*output_scale;
-            const bicycle_with_accelerometer_population_real c_6 = P[82] + P[20]*output_scale;
-            const bicycle_with_accelerometer_population_real c_7 = P[90] + P[21]*output_scale;
-            const bicycle_with_accelerometer_population_real c_8 = P[97] + P[22]*output_scale;
-            const bicycle_with_accelerometer_population_real c_9 = P[103] + P[23]*output_scale;
-            const bicycle_with_accelerometer_population_real c_10 = P[108] + P[24]*output_scale;
-            const bicycle_with_accelerometer_population_real c_11 = P[112] + P[25]*output_scale;
-            const bicycle_with_accelerometer_population_real c_12 = P[115] + P[26]*output_scale;
             const bicycle_with_accelerometer_population_real c_13 = P[117] + P[27]*output_scale;
-            const bicycle_with_accelerometer_population_real c_14 = P[118] + P[28]*output_scale;
             innovation = sample->measured - predicted;
             innovation_variance = c_13 + noise + c_1*output_scale;
             inv_spread = (R(1.0)/innovation_variance);
@@ -910,184 +1242,28 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
-            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const bicycle_with_accelerometer_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
+            const bicycle_with_accelerometer_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
+            state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const bicycle_with_accelerometer_population_real learn = state->excited*inv_spread;
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_with_accelerometer_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
+            const bicycle_with_accelerometer_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const bicycle_with_accelerometer_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const bicycle_with_accelerometer_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
                 state->unlearnt = R(0.0);
             }
-            const bicycle_with_accelerometer_population_real gain_0 = c_0*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_1 = c_1*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_2 = c_2*inv_spread;
             const bicycle_with_accelerometer_population_real gain_3 = c_3*learn;
-            const bicycle_with_accelerometer_population_real gain_4 = c_4*learn_seldom;
-            const bicycle_with_accelerometer_population_real gain_5 = c_5*learn_slow;
-            const bicycle_with_accelerometer_population_real gain_6 = c_6*learn_slow;
-            const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_slow;
-            const bicycle_with_accelerometer_population_real gain_8 = c_8*learn_slow;
-            const bicycle_with_accelerometer_population_real gain_9 = c_9*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_10 = c_10*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_11 = c_11*learn_slow;
-            const bicycle_with_accelerometer_population_real gain_12 = c_12*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_13 = c_13*inv_spread;
-            const bicycle_with_accelerometer_population_real gain_14 = c_14*inv_spread;
             const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            P[0] = P[0] - c_0*gain_0;
-            P[1] = P[1] - c_1*gain_0;
-            P[2] = P[2] - c_2*gain_0;
-            P[3] = P[3] - c_3*gain_0;
-            P[4] = P[4] - c_4*gain_0;
-            P[5] = P[5] - c_5*gain_0;
-            P[6] = P[6] - c_6*gain_0;
-            P[7] = P[7] - c_7*gain_0;
-            P[8] = P[8] - c_8*gain_0;
-            P[9] = P[9] - c_9*gain_0;
-            P[10] = P[10] - c_10*gain_0;
-            P[11] = P[11] - c_11*gain_0;
-            P[12] = P[12] - c_12*gain_0;
-            P[13] = P[13] - c_13*gain_0;
-            P[14] = P[14] - c_14*gain_0;
-            P[15] = P[15] - c_1*gain_1;
-            P[16] = P[16] - c_2*gain_1;
-            P[17] = P[17] - c_3*gain_1;
-            P[18] = P[18] - c_4*gain_1;
-            P[19] = P[19] - c_5*gain_1;
-            P[20] = P[20] - c_6*gain_1;
-            P[21] = P[21] - c_7*gain_1;
-            P[22] = P[22] - c_8*gain_1;
-            P[23] = P[23] - c_9*gain_1;
-            P[24] = P[24] - c_10*gain_1;
-            P[25] = P[25] - c_11*gain_1;
-            P[26] = P[26] - c_12*gain_1;
-            P[27] = P[27] - c_13*gain_1;
-            P[28] = P[28] - c_14*gain_1;
-            P[29] = P[29] - c_2*gain_2;
-            P[30] = P[30] - c_3*gain_2;
-            P[31] = P[31] - c_4*gain_2;
-            P[32] = P[32] - c_5*gain_2;
-            P[33] = P[33] - c_6*gain_2;
-            P[34] = P[34] - c_7*gain_2;
-            P[35] = P[35] - c_8*gain_2;
-            P[36] = P[36] - c_9*gain_2;
-            P[37] = P[37] - c_10*gain_2;
-            P[38] = P[38] - c_11*gain_2;
-            P[39] = P[39] - c_12*gain_2;
-            P[40] = P[40] - c_13*gain_2;
-            P[41] = P[41] - c_14*gain_2;
-            P[42] = P[42] - c_3*gain_3;
-            P[43] = P[43] - c_4*gain_3;
-            P[44] = P[44] - c_5*gain_3;
-            P[45] = P[45] - c_6*gain_3;
-            P[46] = P[46] - c_7*gain_3;
-            P[47] = P[47] - c_8*gain_3;
-            P[48] = P[48] - c_3*gain_9;
-            P[49] = P[49] - c_3*gain_10;
-            P[50] = P[50] - c_11*gain_3;
-            P[51] = P[51] - c_3*gain_12;
-            P[52] = P[52] - c_3*gain_13;
-            P[53] = P[53] - c_3*gain_14;
-            P[54] = P[54] - c_4*gain_4;
-            P[55] = P[55] - c_4*gain_5;
-            P[56] = P[56] - c_4*gain_6;
-            P[57] = P[57] - c_4*gain_7;
-            P[58] = P[58] - c_4*gain_8;
-            P[59] = P[59] - c_4*gain_9;
-            P[60] = P[60] - c_4*gain_10;
-            P[61] = P[61] - c_4*gain_11;
-            P[62] = P[62] - c_4*gain_12;
-            P[63] = P[63] - c_4*gain_13;
-            P[64] = P[64] - c_4*gain_14;
-            P[65] = P[65] - c_5*gain_5;
-            P[66] = P[66] - c_6*gain_5;
-            P[67] = P[67] - c_7*gain_5;
-            P[68] = P[68] - c_8*gain_5;
-            P[69] = P[69] - c_5*gain_9;
-            P[70] = P[70] - c_5*gain_10;
-            P[71] = P[71] - c_11*gain_5;
-            P[72] = P[72] - c_5*gain_12;
-            P[73] = P[73] - c_5*gain_13;
-            P[74] = P[74] - c_5*gain_14;
-            P[75] = P[75] - c_6*gain_6;
-            P[76] = P[76] - c_7*gain_6;
-            P[77] = P[77] - c_8*gain_6;
-            P[78] = P[78] - c_6*gain_9;
-            P[79] = P[79] - c_6*gain_10;
-            P[80] = P[80] - c_11*gain_6;
-            P[81] = P[81] - c_6*gain_12;
-            P[82] = P[82] - c_6*gain_13;
-            P[83] = P[83] - c_6*gain_14;
-            P[84] = P[84] - c_7*gain_7;
-            P[85] = P[85] - c_8*gain_7;
-            P[86] = P[86] - c_7*gain_9;
-            P[87] = P[87] - c_7*gain_10;
-            P[88] = P[88] - c_11*gain_7;
-            P[89] = P[89] - c_7*gain_12;
-            P[90] = P[90] - c_7*gain_13;
-            P[91] = P[91] - c_7*gain_14;
-            P[92] = P[92] - c_8*gain_8;
-            P[93] = P[93] - c_8*gain_9;
-            P[94] = P[94] - c_8*gain_10;
-            P[95] = P[95] - c_11*gain_8;
-            P[96] = P[96] - c_8*gain_12;
-            P[97] = P[97] - c_8*gain_13;
-            P[98] = P[98] - c_8*gain_14;
-            P[99] = P[99] - c_9*gain_9;
-            P[100] = P[100] - c_10*gain_9;
-            P[101] = P[101] - c_11*gain_9;
-            P[102] = P[102] - c_12*gain_9;
-            P[103] = P[103] - c_13*gain_9;
-            P[104] = P[104] - c_14*gain_9;
-            P[105] = P[105] - c_10*gain_10;
-            P[106] = P[106] - c_11*gain_10;
-            P[107] = P[107] - c_12*gain_10;
-            P[108] = P[108] - c_13*gain_10;
-            P[109] = P[109] - c_14*gain_10;
-            P[110] = P[110] - c_11*gain_11;
-            P[111] = P[111] - c_11*gain_12;
-            P[112] = P[112] - c_11*gain_13;
-            P[113] = P[113] - c_11*gain_14;
-            P[114] = P[114] - c_12*gain_12;
-            P[115] = P[115] - c_13*gain_12;
-            P[116] = P[116] - c_14*gain_12;
-            P[117] = P[117] - c_13*gain_13;
-            P[118] = P[118] - c_14*gain_13;
-            P[119] = P[119] - c_14*gain_14;
-            state->v_star = state->v_star + gain_0*innovation;
-            state->r_star = state->r_star + gain_1*innovation;
-            state->disturbance = state->disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
-            state->pi1 = state->pi1 + gain_4*innovation;
-            const bicycle_with_accelerometer_population_real move_eta = gain_5*innovation;
-            const bicycle_with_accelerometer_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
-            const bicycle_with_accelerometer_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
-            const bicycle_with_accelerometer_population_real move_rho = gain_6*innovation;
-            const bicycle_with_accelerometer_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
-            const bicycle_with_accelerometer_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-            const bicycle_with_accelerometer_population_real move_grip = gain_7*innovation;
-            const bicycle_with_accelerometer_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
-            const bicycle_with_accelerometer_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
-            state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
-            state->place = state->place + gain_8*innovation;
-            state->bank = state->bank + gain_9*innovation;
-            state->push = state->push + gain_10*innovation;
-            const bicycle_with_accelerometer_population_real move_input_scale = gain_11*innovation;
-            const bicycle_with_accelerometer_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
-            const bicycle_with_accelerometer_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
-            state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-            state->input_offset = state->input_offset + gain_12*innovation;
-            state->output_bias = state->output_bias + gain_13*innovation;
-            state->ay_bias = state->ay_bias + gain_14*innovation;
+            bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_13, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
-            const bicycle_with_accelerometer_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            const bicycle_with_accelerometer_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
             state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
@@ -1103,7 +1279,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
                 status = 2;
             }
-            if ((sample->ay_measured < config->ay_limit) && (sample->ay_measured > (-config->ay_limit))) { /* ay is measured too */
+            if (WITHIN(sample->ay_measured, config->ay_limit)) { /* ay is measured too */
                 const bicycle_with_accelerometer_population_real ay_scale = inv_L*(at_U*at_U); /* ay = scale x dimensionless */
                 const bicycle_with_accelerometer_population_real ay_u = state->disturbance + state->input_offset + state->input_scale*u_now; /* effective input at the end [-] */
                 const bicycle_with_accelerometer_population_real ay_u_plain = state->input_scale*u_now;
@@ -1206,11 +1382,9 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_c_6 = (P[83] + P[20]*ay_by_r_star + P[33]*ay_by_u + P[45]*ay_by_K + P[56]*ay_by_pi1 + P[6]*ay_by_v_star) + (P[66]*ay_by_eta + P[75]*ay_by_rho + P[76]*ay_by_grip + P[77]*ay_by_place + P[79]*ay_by_push + P[81]*ay_by_u + P[80]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_7 = (P[91] + P[21]*ay_by_r_star + P[34]*ay_by_u + P[46]*ay_by_K + P[57]*ay_by_pi1 + P[67]*ay_by_eta) + (P[7]*ay_by_v_star + P[76]*ay_by_rho + P[84]*ay_by_grip + P[85]*ay_by_place + P[87]*ay_by_push + P[89]*ay_by_u + P[88]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_8 = (P[98] + P[22]*ay_by_r_star + P[35]*ay_by_u + P[47]*ay_by_K + P[58]*ay_by_pi1 + P[68]*ay_by_eta) + (P[77]*ay_by_rho + P[8]*ay_by_v_star + P[85]*ay_by_grip + P[92]*ay_by_place + P[94]*ay_by_push + P[96]*ay_by_u + P[95]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_10 = (P[109] + P[10]*ay_by_v_star + P[105]*ay_by_push + P[107]*ay_by_u + P[24]*ay_by_r_star + P[37]*ay_by_u) + (P[49]*ay_by_K + P[60]*ay_by_pi1 + P[70]*ay_by_eta + P[79]*ay_by_rho + P[87]*ay_by_grip + P[94]*ay_by_place + P[106]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_11 = (P[113] + P[106]*ay_by_push + P[11]*ay_by_v_star + P[111]*ay_by_u + P[25]*ay_by_r_star + P[38]*ay_by_u) + (P[50]*ay_by_K + P[61]*ay_by_pi1 + P[71]*ay_by_eta + P[80]*ay_by_rho + P[88]*ay_by_grip + P[95]*ay_by_place + P[110]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_12 = (P[116] + P[107]*ay_by_push + P[114]*ay_by_u + P[12]*ay_by_v_star + P[26]*ay_by_r_star + P[39]*ay_by_u) + (P[51]*ay_by_K + P[62]*ay_by_pi1 + P[72]*ay_by_eta + P[81]*ay_by_rho + P[89]*ay_by_grip + P[96]*ay_by_place + P[111]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_c_14 = (P[119] + P[109]*ay_by_push + P[116]*ay_by_u + P[14]*ay_by_v_star + P[28]*ay_by_r_star + P[41]*ay_by_u) + (P[53]*ay_by_K + P[64]*ay_by_pi1 + P[74]*ay_by_eta + P[83]*ay_by_rho + P[91]*ay_by_grip + P[98]*ay_by_place + P[113]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_innovation = sample->ay_measured - state->ay_bias - ay_response - ay_by_K*move;
                 ay_inv_spread = (R(1.0)/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*state->input_scale*u_now)));
@@ -1221,171 +1395,12 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_learn = (learn > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_slow = (learn_slow > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_seldom = (learn_seldom > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
-                const bicycle_with_accelerometer_population_real ay_gain_0 = ay_c_0*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_1 = ay_c_1*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_2 = ay_c_2*ay_inv_spread;
                 const bicycle_with_accelerometer_population_real ay_gain_3 = ay_c_3*ay_learn;
-                const bicycle_with_accelerometer_population_real ay_gain_4 = ay_c_4*ay_learn_seldom;
-                const bicycle_with_accelerometer_population_real ay_gain_5 = ay_c_5*ay_learn_slow;
-                const bicycle_with_accelerometer_population_real ay_gain_6 = ay_c_6*ay_learn_slow;
-                const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_slow;
-                const bicycle_with_accelerometer_population_real ay_gain_8 = ay_c_8*ay_learn_slow;
-                const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_10 = ay_c_10*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_11 = ay_c_11*ay_learn_slow;
-                const bicycle_with_accelerometer_population_real ay_gain_12 = ay_c_12*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_13 = ay_c_13*ay_inv_spread;
-                const bicycle_with_accelerometer_population_real ay_gain_14 = ay_c_14*ay_inv_spread;
                 const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[42]);
                 const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
                 state->information = state->information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
-                P[0] = P[0] - ay_c_0*ay_gain_0;
-                P[1] = P[1] - ay_c_1*ay_gain_0;
-                P[2] = P[2] - ay_c_2*ay_gain_0;
-                P[3] = P[3] - ay_c_3*ay_gain_0;
-                P[4] = P[4] - ay_c_4*ay_gain_0;
-                P[5] = P[5] - ay_c_5*ay_gain_0;
-                P[6] = P[6] - ay_c_6*ay_gain_0;
-                P[7] = P[7] - ay_c_7*ay_gain_0;
-                P[8] = P[8] - ay_c_8*ay_gain_0;
-                P[9] = P[9] - ay_c_9*ay_gain_0;
-                P[10] = P[10] - ay_c_10*ay_gain_0;
-                P[11] = P[11] - ay_c_11*ay_gain_0;
-                P[12] = P[12] - ay_c_12*ay_gain_0;
-                P[13] = P[13] - ay_c_13*ay_gain_0;
-                P[14] = P[14] - ay_c_14*ay_gain_0;
-                P[15] = P[15] - ay_c_1*ay_gain_1;
-                P[16] = P[16] - ay_c_2*ay_gain_1;
-                P[17] = P[17] - ay_c_3*ay_gain_1;
-                P[18] = P[18] - ay_c_4*ay_gain_1;
-                P[19] = P[19] - ay_c_5*ay_gain_1;
-                P[20] = P[20] - ay_c_6*ay_gain_1;
-                P[21] = P[21] - ay_c_7*ay_gain_1;
-                P[22] = P[22] - ay_c_8*ay_gain_1;
-                P[23] = P[23] - ay_c_9*ay_gain_1;
-                P[24] = P[24] - ay_c_10*ay_gain_1;
-                P[25] = P[25] - ay_c_11*ay_gain_1;
-                P[26] = P[26] - ay_c_12*ay_gain_1;
-                P[27] = P[27] - ay_c_13*ay_gain_1;
-                P[28] = P[28] - ay_c_14*ay_gain_1;
-                P[29] = P[29] - ay_c_2*ay_gain_2;
-                P[30] = P[30] - ay_c_3*ay_gain_2;
-                P[31] = P[31] - ay_c_4*ay_gain_2;
-                P[32] = P[32] - ay_c_5*ay_gain_2;
-                P[33] = P[33] - ay_c_6*ay_gain_2;
-                P[34] = P[34] - ay_c_7*ay_gain_2;
-                P[35] = P[35] - ay_c_8*ay_gain_2;
-                P[36] = P[36] - ay_c_9*ay_gain_2;
-                P[37] = P[37] - ay_c_10*ay_gain_2;
-                P[38] = P[38] - ay_c_11*ay_gain_2;
-                P[39] = P[39] - ay_c_12*ay_gain_2;
-                P[40] = P[40] - ay_c_13*ay_gain_2;
-                P[41] = P[41] - ay_c_14*ay_gain_2;
-                P[42] = P[42] - ay_c_3*ay_gain_3;
-                P[43] = P[43] - ay_c_4*ay_gain_3;
-                P[44] = P[44] - ay_c_5*ay_gain_3;
-                P[45] = P[45] - ay_c_6*ay_gain_3;
-                P[46] = P[46] - ay_c_7*ay_gain_3;
-                P[47] = P[47] - ay_c_8*ay_gain_3;
-                P[48] = P[48] - ay_c_3*ay_gain_9;
-                P[49] = P[49] - ay_c_3*ay_gain_10;
-                P[50] = P[50] - ay_c_11*ay_gain_3;
-                P[51] = P[51] - ay_c_3*ay_gain_12;
-                P[52] = P[52] - ay_c_3*ay_gain_13;
-                P[53] = P[53] - ay_c_3*ay_gain_14;
-                P[54] = P[54] - ay_c_4*ay_gain_4;
-                P[55] = P[55] - ay_c_4*ay_gain_5;
-                P[56] = P[56] - ay_c_4*ay_gain_6;
-                P[57] = P[57] - ay_c_4*ay_gain_7;
-                P[58] = P[58] - ay_c_4*ay_gain_8;
-                P[59] = P[59] - ay_c_4*ay_gain_9;
-                P[60] = P[60] - ay_c_4*ay_gain_10;
-                P[61] = P[61] - ay_c_4*ay_gain_11;
-                P[62] = P[62] - ay_c_4*ay_gain_12;
-                P[63] = P[63] - ay_c_4*ay_gain_13;
-                P[64] = P[64] - ay_c_4*ay_gain_14;
-                P[65] = P[65] - ay_c_5*ay_gain_5;
-                P[66] = P[66] - ay_c_6*ay_gain_5;
-                P[67] = P[67] - ay_c_7*ay_gain_5;
-                P[68] = P[68] - ay_c_8*ay_gain_5;
-                P[69] = P[69] - ay_c_5*ay_gain_9;
-                P[70] = P[70] - ay_c_5*ay_gain_10;
-                P[71] = P[71] - ay_c_11*ay_gain_5;
-                P[72] = P[72] - ay_c_5*ay_gain_12;
-                P[73] = P[73] - ay_c_5*ay_gain_13;
-                P[74] = P[74] - ay_c_5*ay_gain_14;
-                P[75] = P[75] - ay_c_6*ay_gain_6;
-                P[76] = P[76] - ay_c_7*ay_gain_6;
-                P[77] = P[77] - ay_c_8*ay_gain_6;
-                P[78] = P[78] - ay_c_6*ay_gain_9;
-                P[79] = P[79] - ay_c_6*ay_gain_10;
-                P[80] = P[80] - ay_c_11*ay_gain_6;
-                P[81] = P[81] - ay_c_6*ay_gain_12;
-                P[82] = P[82] - ay_c_6*ay_gain_13;
-                P[83] = P[83] - ay_c_6*ay_gain_14;
-                P[84] = P[84] - ay_c_7*ay_gain_7;
-                P[85] = P[85] - ay_c_8*ay_gain_7;
-                P[86] = P[86] - ay_c_7*ay_gain_9;
-                P[87] = P[87] - ay_c_7*ay_gain_10;
-                P[88] = P[88] - ay_c_11*ay_gain_7;
-                P[89] = P[89] - ay_c_7*ay_gain_12;
-                P[90] = P[90] - ay_c_7*ay_gain_13;
-                P[91] = P[91] - ay_c_7*ay_gain_14;
-                P[92] = P[92] - ay_c_8*ay_gain_8;
-                P[93] = P[93] - ay_c_8*ay_gain_9;
-                P[94] = P[94] - ay_c_8*ay_gain_10;
-                P[95] = P[95] - ay_c_11*ay_gain_8;
-                P[96] = P[96] - ay_c_8*ay_gain_12;
-                P[97] = P[97] - ay_c_8*ay_gain_13;
-                P[98] = P[98] - ay_c_8*ay_gain_14;
-                P[99] = P[99] - ay_c_9*ay_gain_9;
-                P[100] = P[100] - ay_c_10*ay_gain_9;
-                P[101] = P[101] - ay_c_11*ay_gain_9;
-                P[102] = P[102] - ay_c_12*ay_gain_9;
-                P[103] = P[103] - ay_c_13*ay_gain_9;
-                P[104] = P[104] - ay_c_14*ay_gain_9;
-                P[105] = P[105] - ay_c_10*ay_gain_10;
-                P[106] = P[106] - ay_c_11*ay_gain_10;
-                P[107] = P[107] - ay_c_12*ay_gain_10;
-                P[108] = P[108] - ay_c_13*ay_gain_10;
-                P[109] = P[109] - ay_c_14*ay_gain_10;
-                P[110] = P[110] - ay_c_11*ay_gain_11;
-                P[111] = P[111] - ay_c_11*ay_gain_12;
-                P[112] = P[112] - ay_c_11*ay_gain_13;
-                P[113] = P[113] - ay_c_11*ay_gain_14;
-                P[114] = P[114] - ay_c_12*ay_gain_12;
-                P[115] = P[115] - ay_c_13*ay_gain_12;
-                P[116] = P[116] - ay_c_14*ay_gain_12;
-                P[117] = P[117] - ay_c_13*ay_gain_13;
-                P[118] = P[118] - ay_c_14*ay_gain_13;
-                P[119] = P[119] - ay_c_14*ay_gain_14;
-                state->v_star = state->v_star + ay_gain_0*ay_innovation;
-                state->r_star = state->r_star + ay_gain_1*ay_innovation;
-                state->disturbance = state->disturbance + ay_gain_2*ay_innovation;
                 move = move + ay_gain_3*ay_innovation;
-                state->pi1 = state->pi1 + ay_gain_4*ay_innovation;
-                const bicycle_with_accelerometer_population_real ay_move_eta = ay_gain_5*ay_innovation;
-                const bicycle_with_accelerometer_population_real above_ay_move_eta = (((-R(1.0))) > (ay_move_eta) ? (-R(1.0)) : ay_move_eta);
-                const bicycle_with_accelerometer_population_real bounded_ay_move_eta = ((R(1.0)) < (above_ay_move_eta) ? R(1.0) : above_ay_move_eta);
-                state->eta = state->eta*(R(1.0) + bounded_ay_move_eta*(R(1.0) + bounded_ay_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_eta)));
-                const bicycle_with_accelerometer_population_real ay_move_rho = ay_gain_6*ay_innovation;
-                const bicycle_with_accelerometer_population_real above_ay_move_rho = (((-R(1.0))) > (ay_move_rho) ? (-R(1.0)) : ay_move_rho);
-                const bicycle_with_accelerometer_population_real bounded_ay_move_rho = ((R(1.0)) < (above_ay_move_rho) ? R(1.0) : above_ay_move_rho);
-                state->rho = state->rho*(R(1.0) + bounded_ay_move_rho*(R(1.0) + bounded_ay_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_rho)));
-                const bicycle_with_accelerometer_population_real ay_move_grip = ay_gain_7*ay_innovation;
-                const bicycle_with_accelerometer_population_real above_ay_move_grip = (((-R(1.0))) > (ay_move_grip) ? (-R(1.0)) : ay_move_grip);
-                const bicycle_with_accelerometer_population_real bounded_ay_move_grip = ((R(1.0)) < (above_ay_move_grip) ? R(1.0) : above_ay_move_grip);
-                state->grip = state->grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
-                state->place = state->place + ay_gain_8*ay_innovation;
-                state->bank = state->bank + ay_gain_9*ay_innovation;
-                state->push = state->push + ay_gain_10*ay_innovation;
-                const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_11*ay_innovation;
-                const bicycle_with_accelerometer_population_real above_ay_move_input_scale = (((-R(1.0))) > (ay_move_input_scale) ? (-R(1.0)) : ay_move_input_scale);
-                const bicycle_with_accelerometer_population_real bounded_ay_move_input_scale = ((R(1.0)) < (above_ay_move_input_scale) ? R(1.0) : above_ay_move_input_scale);
-                state->input_scale = state->input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
-                state->input_offset = state->input_offset + ay_gain_12*ay_innovation;
-                state->output_bias = state->output_bias + ay_gain_13*ay_innovation;
-                state->ay_bias = state->ay_bias + ay_gain_14*ay_innovation;
+                bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_push, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_c_8, ay_c_10, ay_c_11, ay_c_12, ay_c_14, ay_c_3, ay_gain_3, ay_innovation);
                 const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
                 state->ay_noise_scale = state->ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
                 state->ay_noise_scale = ((state->ay_noise_scale) > (config->ay_noise_scale_low) ? state->ay_noise_scale : config->ay_noise_scale_low);
@@ -1405,7 +1420,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             state->bank = ((config->bank_high) < (((state->bank) > (config->bank_low) ? state->bank : config->bank_low)) ? config->bank_high : ((state->bank) > (config->bank_low) ? state->bank : config->bank_low));
             state->push = ((config->push_high) < (((state->push) > (config->push_low) ? state->push : config->push_low)) ? config->push_high : ((state->push) > (config->push_low) ? state->push : config->push_low));
             state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
-            if (usable > R(0.5)) {
+            if (usable > 0) {
                 status = 3;
             }
         }
@@ -1413,7 +1428,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         disturbance_now = state->disturbance_scale*w_nominal;
         state->last_input = u_now;
         state->last_U = U_now;
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);
         }

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1442 at most, 7 at least (arithmetic, comparisons, selects), init 7.
+ * Operations: step 1408 at most, 7 at least (arithmetic, comparisons, selects), init 7.
  * Memory: state 97 reals, configuration 77 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -29,9 +29,23 @@
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL saturating_bicycle_population_real;
 #define R(x) ((saturating_bicycle_population_real)(x))
+
+#if defined(__GNUC__)
+#define MAGNITUDE(x) \
+    ((sizeof(SIMILITUDE_REAL) == sizeof(float)) ? R(__builtin_fabsf((float)(x))) \
+                                                : R(__builtin_fabs((double)(x))))
+#define WITHIN(x, limit) (MAGNITUDE(x) < (limit))
+#define BEYOND(x, limit) (MAGNITUDE(x) > (limit))
+#else
+#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
+#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
+#endif
 
 enum saturating_bicycle_population_status {
     SATURATING_BICYCLE_POPULATION_OK = 0,
@@ -173,6 +187,10 @@ typedef struct saturating_bicycle_population_output {
 SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state)
 {
     saturating_bicycle_population_real *const P = state->P;
+    int i;
+    for (i = 0; i < 66; ++i) {
+        P[i] = R(0.0);
+    }
     state->v_star = R(0.0);
     state->r_star = R(0.0);
     state->v_star_plain = R(0.0);
@@ -186,72 +204,6 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->input_scale = R(1.0);
     state->input_offset = R(0.0);
     state->output_bias = R(0.0);
-    P[0] = R(0.0);
-    P[1] = R(0.0);
-    P[2] = R(0.0);
-    P[3] = R(0.0);
-    P[4] = R(0.0);
-    P[5] = R(0.0);
-    P[6] = R(0.0);
-    P[7] = R(0.0);
-    P[8] = R(0.0);
-    P[9] = R(0.0);
-    P[10] = R(0.0);
-    P[11] = R(0.0);
-    P[12] = R(0.0);
-    P[13] = R(0.0);
-    P[14] = R(0.0);
-    P[15] = R(0.0);
-    P[16] = R(0.0);
-    P[17] = R(0.0);
-    P[18] = R(0.0);
-    P[19] = R(0.0);
-    P[20] = R(0.0);
-    P[21] = R(0.0);
-    P[22] = R(0.0);
-    P[23] = R(0.0);
-    P[24] = R(0.0);
-    P[25] = R(0.0);
-    P[26] = R(0.0);
-    P[27] = R(0.0);
-    P[28] = R(0.0);
-    P[29] = R(0.0);
-    P[30] = R(0.0);
-    P[31] = R(0.0);
-    P[32] = R(0.0);
-    P[33] = R(0.0);
-    P[34] = R(0.0);
-    P[35] = R(0.0);
-    P[36] = R(0.0);
-    P[37] = R(0.0);
-    P[38] = R(0.0);
-    P[39] = R(0.0);
-    P[40] = R(0.0);
-    P[41] = R(0.0);
-    P[42] = R(0.0);
-    P[43] = R(0.0);
-    P[44] = R(0.0);
-    P[45] = R(0.0);
-    P[46] = R(0.0);
-    P[47] = R(0.0);
-    P[48] = R(0.0);
-    P[49] = R(0.0);
-    P[50] = R(0.0);
-    P[51] = R(0.0);
-    P[52] = R(0.0);
-    P[53] = R(0.0);
-    P[54] = R(0.0);
-    P[55] = R(0.0);
-    P[56] = R(0.0);
-    P[57] = R(0.0);
-    P[58] = R(0.0);
-    P[59] = R(0.0);
-    P[60] = R(0.0);
-    P[61] = R(0.0);
-    P[62] = R(0.0);
-    P[63] = R(0.0);
-    P[64] = R(0.0);
-    P[65] = R(0.0);
     P[0] = (config->v_star_sd*config->v_star_sd);
     P[11] = (config->r_star_sd*config->r_star_sd);
     P[60] = (config->input_scale_sd*config->input_scale_sd);
@@ -293,6 +245,242 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->input_offset_plain = R(0.0);
 }
 
+/* A part of the step: propagate. */
+SIMILITUDE_PART void saturating_bicycle_population_propagate(
+        const saturating_bicycle_population_config *config,
+        saturating_bicycle_population_state *state,
+        const saturating_bicycle_population_sample *sample,
+        const saturating_bicycle_population_real steer,
+        const saturating_bicycle_population_real F_v_star_K,
+        const saturating_bicycle_population_real F_v_star_eta,
+        const saturating_bicycle_population_real F_v_star_grip,
+        const saturating_bicycle_population_real F_v_star_pi1,
+        const saturating_bicycle_population_real F_v_star_r_star,
+        const saturating_bicycle_population_real F_v_star_rho,
+        const saturating_bicycle_population_real F_v_star_u,
+        const saturating_bicycle_population_real F_v_star_v_star,
+        const saturating_bicycle_population_real F_r_star_K,
+        const saturating_bicycle_population_real F_r_star_eta,
+        const saturating_bicycle_population_real F_r_star_grip,
+        const saturating_bicycle_population_real F_r_star_pi1,
+        const saturating_bicycle_population_real F_r_star_r_star,
+        const saturating_bicycle_population_real F_r_star_rho,
+        const saturating_bicycle_population_real F_r_star_u,
+        const saturating_bicycle_population_real F_r_star_v_star,
+        const saturating_bicycle_population_real keep_w,
+        const saturating_bicycle_population_real w_nominal,
+        const saturating_bicycle_population_real diffusion)
+{
+    saturating_bicycle_population_real *const P = state->P;
+    const saturating_bicycle_population_real PW_0 = P[2] + P[9] + P[8]*steer;
+    const saturating_bicycle_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+    const saturating_bicycle_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+    const saturating_bicycle_population_real PW_1 = P[12] + P[19] + P[18]*steer;
+    const saturating_bicycle_population_real FP_0_1 = F_v_star_K*P[13] + F_v_star_eta*P[15] + F_v_star_grip*P[17] + F_v_star_pi1*P[14] + F_v_star_r_star*P[11] + F_v_star_rho*P[16] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+    const saturating_bicycle_population_real FP_1_1 = F_r_star_K*P[13] + F_r_star_eta*P[15] + F_r_star_grip*P[17] + F_r_star_pi1*P[14] + F_r_star_r_star*P[11] + F_r_star_rho*P[16] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+    P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star;
+    P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star;
+    P[11] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
+    const saturating_bicycle_population_real PW_2 = P[21] + P[28] + P[27]*steer;
+    const saturating_bicycle_population_real FP_0_2 = F_v_star_K*P[22] + F_v_star_eta*P[24] + F_v_star_grip*P[26] + F_v_star_pi1*P[23] + F_v_star_r_star*P[12] + F_v_star_rho*P[25] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+    const saturating_bicycle_population_real FP_1_2 = F_r_star_K*P[22] + F_r_star_eta*P[24] + F_r_star_grip*P[26] + F_r_star_pi1*P[23] + F_r_star_r_star*P[12] + F_r_star_rho*P[25] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+    P[2] = FP_0_2*keep_w;
+    P[12] = FP_1_2*keep_w;
+    const saturating_bicycle_population_real PW_3 = P[22] + P[36] + P[35]*steer;
+    const saturating_bicycle_population_real FP_0_3 = F_v_star_K*P[30] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31] + F_v_star_r_star*P[13] + F_v_star_rho*P[33] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+    const saturating_bicycle_population_real FP_1_3 = F_r_star_K*P[30] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31] + F_r_star_r_star*P[13] + F_r_star_rho*P[33] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+    P[3] = FP_0_3;
+    P[13] = FP_1_3;
+    P[0] = P[0] + FP_0_3*F_v_star_K;
+    P[1] = P[1] + FP_0_3*F_r_star_K;
+    P[11] = P[11] + FP_1_3*F_r_star_K;
+    const saturating_bicycle_population_real PW_4 = P[23] + P[43] + P[42]*steer;
+    const saturating_bicycle_population_real FP_0_4 = F_v_star_K*P[31] + F_v_star_eta*P[39] + F_v_star_grip*P[41] + F_v_star_pi1*P[38] + F_v_star_r_star*P[14] + F_v_star_rho*P[40] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+    const saturating_bicycle_population_real FP_1_4 = F_r_star_K*P[31] + F_r_star_eta*P[39] + F_r_star_grip*P[41] + F_r_star_pi1*P[38] + F_r_star_r_star*P[14] + F_r_star_rho*P[40] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+    P[4] = FP_0_4;
+    P[14] = FP_1_4;
+    P[0] = P[0] + FP_0_4*F_v_star_pi1;
+    P[1] = P[1] + FP_0_4*F_r_star_pi1;
+    P[11] = P[11] + FP_1_4*F_r_star_pi1;
+    const saturating_bicycle_population_real PW_5 = P[24] + P[49] + P[48]*steer;
+    const saturating_bicycle_population_real FP_0_5 = F_v_star_K*P[32] + F_v_star_eta*P[45] + F_v_star_grip*P[47] + F_v_star_pi1*P[39] + F_v_star_r_star*P[15] + F_v_star_rho*P[46] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+    const saturating_bicycle_population_real FP_1_5 = F_r_star_K*P[32] + F_r_star_eta*P[45] + F_r_star_grip*P[47] + F_r_star_pi1*P[39] + F_r_star_r_star*P[15] + F_r_star_rho*P[46] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+    P[5] = FP_0_5;
+    P[15] = FP_1_5;
+    P[0] = P[0] + FP_0_5*F_v_star_eta;
+    P[1] = P[1] + FP_0_5*F_r_star_eta;
+    P[11] = P[11] + FP_1_5*F_r_star_eta;
+    const saturating_bicycle_population_real PW_6 = P[25] + P[54] + P[53]*steer;
+    const saturating_bicycle_population_real FP_0_6 = F_v_star_K*P[33] + F_v_star_eta*P[46] + F_v_star_grip*P[52] + F_v_star_pi1*P[40] + F_v_star_r_star*P[16] + F_v_star_rho*P[51] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+    const saturating_bicycle_population_real FP_1_6 = F_r_star_K*P[33] + F_r_star_eta*P[46] + F_r_star_grip*P[52] + F_r_star_pi1*P[40] + F_r_star_r_star*P[16] + F_r_star_rho*P[51] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+    P[6] = FP_0_6;
+    P[16] = FP_1_6;
+    P[0] = P[0] + FP_0_6*F_v_star_rho;
+    P[1] = P[1] + FP_0_6*F_r_star_rho;
+    P[11] = P[11] + FP_1_6*F_r_star_rho;
+    const saturating_bicycle_population_real PW_7 = P[26] + P[58] + P[57]*steer;
+    const saturating_bicycle_population_real FP_0_7 = F_v_star_K*P[34] + F_v_star_eta*P[47] + F_v_star_grip*P[56] + F_v_star_pi1*P[41] + F_v_star_r_star*P[17] + F_v_star_rho*P[52] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+    const saturating_bicycle_population_real FP_1_7 = F_r_star_K*P[34] + F_r_star_eta*P[47] + F_r_star_grip*P[56] + F_r_star_pi1*P[41] + F_r_star_r_star*P[17] + F_r_star_rho*P[52] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+    P[7] = FP_0_7;
+    P[17] = FP_1_7;
+    P[0] = P[0] + FP_0_7*F_v_star_grip;
+    P[1] = P[1] + FP_0_7*F_r_star_grip;
+    P[11] = P[11] + FP_1_7*F_r_star_grip;
+    const saturating_bicycle_population_real PW_8 = P[27] + P[61] + P[60]*steer;
+    const saturating_bicycle_population_real FP_0_8 = F_v_star_K*P[35] + F_v_star_eta*P[48] + F_v_star_grip*P[57] + F_v_star_pi1*P[42] + F_v_star_r_star*P[18] + F_v_star_rho*P[53] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
+    const saturating_bicycle_population_real FP_1_8 = F_r_star_K*P[35] + F_r_star_eta*P[48] + F_r_star_grip*P[57] + F_r_star_pi1*P[42] + F_r_star_r_star*P[18] + F_r_star_rho*P[53] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+    P[8] = FP_0_8;
+    P[18] = FP_1_8;
+    const saturating_bicycle_population_real PW_9 = P[28] + P[63] + P[61]*steer;
+    const saturating_bicycle_population_real FP_0_9 = F_v_star_K*P[36] + F_v_star_eta*P[49] + F_v_star_grip*P[58] + F_v_star_pi1*P[43] + F_v_star_r_star*P[19] + F_v_star_rho*P[54] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
+    const saturating_bicycle_population_real FP_1_9 = F_r_star_K*P[36] + F_r_star_eta*P[49] + F_r_star_grip*P[58] + F_r_star_pi1*P[43] + F_r_star_r_star*P[19] + F_r_star_rho*P[54] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+    P[9] = FP_0_9;
+    P[19] = FP_1_9;
+    const saturating_bicycle_population_real PW_10 = P[29] + P[64] + P[62]*steer;
+    const saturating_bicycle_population_real FP_0_10 = F_v_star_K*P[37] + F_v_star_eta*P[50] + F_v_star_grip*P[59] + F_v_star_pi1*P[44] + F_v_star_r_star*P[20] + F_v_star_rho*P[55] + F_v_star_u*PW_10 + F_v_star_v_star*P[10];
+    const saturating_bicycle_population_real FP_1_10 = F_r_star_K*P[37] + F_r_star_eta*P[50] + F_r_star_grip*P[59] + F_r_star_pi1*P[44] + F_r_star_r_star*P[20] + F_r_star_rho*P[55] + F_r_star_u*PW_10 + F_r_star_v_star*P[10];
+    P[10] = FP_0_10;
+    P[20] = FP_1_10;
+    const saturating_bicycle_population_real WPF_0 = FP_0_2 + FP_0_9 + FP_0_8*steer;
+    const saturating_bicycle_population_real WPF_1 = FP_1_2 + FP_1_9 + FP_1_8*steer;
+    P[0] = P[0] + F_v_star_u*WPF_0;
+    P[1] = P[1] + F_r_star_u*WPF_0;
+    P[11] = P[11] + F_r_star_u*WPF_1;
+    P[21] = P[21]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[22] = P[22]*keep_w;
+    P[23] = P[23]*keep_w;
+    P[24] = P[24]*keep_w;
+    P[25] = P[25]*keep_w;
+    P[26] = P[26]*keep_w;
+    P[27] = P[27]*keep_w;
+    P[28] = P[28]*keep_w;
+    P[29] = P[29]*keep_w;
+    P[30] = P[30] + sample->dt*(diffusion + state->jump*config->jump_drift);
+    P[65] = P[65] + config->bias_drift*sample->dt;
+}
+
+/* A part of the step: correct. */
+SIMILITUDE_PART void saturating_bicycle_population_correct(
+        saturating_bicycle_population_state *state,
+        const saturating_bicycle_population_real output_scale,
+        const saturating_bicycle_population_real inv_spread,
+        const saturating_bicycle_population_real c_1,
+        const saturating_bicycle_population_real learn_seldom,
+        const saturating_bicycle_population_real learn_slow,
+        const saturating_bicycle_population_real c_10,
+        const saturating_bicycle_population_real c_3,
+        const saturating_bicycle_population_real gain_3,
+        const saturating_bicycle_population_real innovation)
+{
+    saturating_bicycle_population_real *const P = state->P;
+    const saturating_bicycle_population_real c_0 = P[10] + P[1]*output_scale;
+    const saturating_bicycle_population_real c_2 = P[29] + P[12]*output_scale;
+    const saturating_bicycle_population_real c_4 = P[44] + P[14]*output_scale;
+    const saturating_bicycle_population_real c_5 = P[50] + P[15]*output_scale;
+    const saturating_bicycle_population_real c_6 = P[55] + P[16]*output_scale;
+    const saturating_bicycle_population_real c_7 = P[59] + P[17]*output_scale;
+    const saturating_bicycle_population_real c_8 = P[62] + P[18]*output_scale;
+    const saturating_bicycle_population_real c_9 = P[64] + P[19]*output_scale;
+    const saturating_bicycle_population_real gain_0 = c_0*inv_spread;
+    const saturating_bicycle_population_real gain_1 = c_1*inv_spread;
+    const saturating_bicycle_population_real gain_2 = c_2*inv_spread;
+    const saturating_bicycle_population_real gain_4 = c_4*learn_seldom;
+    const saturating_bicycle_population_real gain_5 = c_5*learn_slow;
+    const saturating_bicycle_population_real gain_6 = c_6*learn_slow;
+    const saturating_bicycle_population_real gain_7 = c_7*learn_slow;
+    const saturating_bicycle_population_real gain_8 = c_8*learn_slow;
+    const saturating_bicycle_population_real gain_9 = c_9*inv_spread;
+    const saturating_bicycle_population_real gain_10 = c_10*inv_spread;
+    P[0] = P[0] - c_0*gain_0;
+    P[1] = P[1] - c_1*gain_0;
+    P[2] = P[2] - c_2*gain_0;
+    P[3] = P[3] - c_3*gain_0;
+    P[4] = P[4] - c_4*gain_0;
+    P[5] = P[5] - c_5*gain_0;
+    P[6] = P[6] - c_6*gain_0;
+    P[7] = P[7] - c_7*gain_0;
+    P[8] = P[8] - c_8*gain_0;
+    P[9] = P[9] - c_9*gain_0;
+    P[10] = P[10] - c_10*gain_0;
+    P[11] = P[11] - c_1*gain_1;
+    P[12] = P[12] - c_2*gain_1;
+    P[13] = P[13] - c_3*gain_1;
+    P[14] = P[14] - c_4*gain_1;
+    P[15] = P[15] - c_5*gain_1;
+    P[16] = P[16] - c_6*gain_1;
+    P[17] = P[17] - c_7*gain_1;
+    P[18] = P[18] - c_8*gain_1;
+    P[19] = P[19] - c_9*gain_1;
+    P[20] = P[20] - c_10*gain_1;
+    P[21] = P[21] - c_2*gain_2;
+    P[22] = P[22] - c_3*gain_2;
+    P[23] = P[23] - c_4*gain_2;
+    P[24] = P[24] - c_5*gain_2;
+    P[25] = P[25] - c_6*gain_2;
+    P[26] = P[26] - c_7*gain_2;
+    P[27] = P[27] - c_8*gain_2;
+    P[28] = P[28] - c_9*gain_2;
+    P[29] = P[29] - c_10*gain_2;
+    P[30] = P[30] - c_3*gain_3;
+    P[31] = P[31] - c_4*gain_3;
+    P[32] = P[32] - c_5*gain_3;
+    P[33] = P[33] - c_6*gain_3;
+    P[34] = P[34] - c_7*gain_3;
+    P[35] = P[35] - c_8*gain_3;
+    P[36] = P[36] - c_3*gain_9;
+    P[37] = P[37] - c_3*gain_10;
+    P[38] = P[38] - c_4*gain_4;
+    P[39] = P[39] - c_4*gain_5;
+    P[40] = P[40] - c_4*gain_6;
+    P[41] = P[41] - c_4*gain_7;
+    P[42] = P[42] - c_4*gain_8;
+    P[43] = P[43] - c_4*gain_9;
+    P[44] = P[44] - c_4*gain_10;
+    P[45] = P[45] - c_5*gain_5;
+    P[46] = P[46] - c_6*gain_5;
+    P[47] = P[47] - c_7*gain_5;
+    P[48] = P[48] - c_8*gain_5;
+    P[49] = P[49] - c_5*gain_9;
+    P[50] = P[50] - c_5*gain_10;
+    P[51] = P[51] - c_6*gain_6;
+    P[52] = P[52] - c_7*gain_6;
+    P[53] = P[53] - c_8*gain_6;
+    P[54] = P[54] - c_6*gain_9;
+    P[55] = P[55] - c_6*gain_10;
+    P[56] = P[56] - c_7*gain_7;
+    P[57] = P[57] - c_8*gain_7;
+    P[58] = P[58] - c_7*gain_9;
+    P[59] = P[59] - c_7*gain_10;
+    P[60] = P[60] - c_8*gain_8;
+    P[61] = P[61] - c_8*gain_9;
+    P[62] = P[62] - c_8*gain_10;
+    P[63] = P[63] - c_9*gain_9;
+    P[64] = P[64] - c_10*gain_9;
+    P[65] = P[65] - c_10*gain_10;
+    state->v_star = state->v_star + gain_0*innovation;
+    state->r_star = state->r_star + gain_1*innovation;
+    state->disturbance = state->disturbance + gain_2*innovation;
+    state->pi1 = state->pi1 + gain_4*innovation;
+    const saturating_bicycle_population_real move_eta = gain_5*innovation;
+    const saturating_bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
+    const saturating_bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
+    state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+    const saturating_bicycle_population_real move_rho = gain_6*innovation;
+    const saturating_bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
+    const saturating_bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
+    state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+    const saturating_bicycle_population_real move_grip = gain_7*innovation;
+    const saturating_bicycle_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
+    const saturating_bicycle_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
+    state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
+    const saturating_bicycle_population_real move_input_scale = gain_8*innovation;
+    const saturating_bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
+    const saturating_bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
+    state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
+    state->input_offset = state->input_offset + gain_9*innovation;
+    state->output_bias = state->output_bias + gain_10*innovation;
+}
+
 /* What the step and the batch loop do with one sample. */
 SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bicycle_population_config *config, saturating_bicycle_population_state *state,
                                      const saturating_bicycle_population_sample *sample, saturating_bicycle_population_output *output)
@@ -318,7 +506,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real rho_now = R(0.0);
     int status = 0;
     saturating_bicycle_population_real u_now = R(0.0);
-    saturating_bicycle_population_real usable = R(0.0);
+    int usable = 0;
     saturating_bicycle_population_real variance = R(0.0);
 
     status = 0;
@@ -328,25 +516,25 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     noise_now = innovation_variance;
     disturbance_now = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
-        usable = R(1.0);
+        usable = 1;
         anew = 0; /* 1 where the dynamic state starts anew */
         state->age = state->age + sample->dt;
-        if ((sample->input < config->input_limit) && (sample->input > (-config->input_limit))) { /* a missing one is held */
+        if (WITHIN(sample->input, config->input_limit)) { /* a missing one is held */
             u_now = sample->input;
         } else {
             u_now = state->last_input;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if ((sample->U < config->signal_limit) && (sample->U > (-config->signal_limit))) { /* a missing one is held */
+        if (WITHIN(sample->U, config->signal_limit)) { /* a missing one is held */
             U_now = sample->U;
         } else {
             U_now = state->last_U;
-            usable = R(0.0);
+            usable = 0;
             status = 4;
         }
-        if (!((sample->measured < config->output_limit) && (sample->measured > (-config->output_limit)))) { /* no measurement */
-            usable = R(0.0);
+        if (!(WITHIN(sample->measured, config->output_limit))) { /* no measurement */
+            usable = 0;
             status = 4;
         }
         if (state->started < R(0.5)) { /* no sample before it could be used */
@@ -354,14 +542,14 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->last_input = u_now;
             state->last_U = U_now;
         }
-        if ((state->age > config->gap) && (usable > R(0.5))) { /* the first sample after a gap */
+        if ((state->age > config->gap) && (usable > 0)) { /* the first sample after a gap */
             status = 5;
             anew = 1;
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = 1;
             state->started = R(0.0);
-            usable = R(0.0);
+            usable = 0;
             status = 6;
         }
         if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
@@ -461,64 +649,60 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real c4 = c3*inv1;
         const saturating_bicycle_population_real c5 = load1*over1*part1;
         const saturating_bicycle_population_real c6 = load3*over3*part3;
-        const saturating_bicycle_population_real c7 = c2*(load1*over1*part1*state->pi1 - c5 - c6*state->pi1);
-        const saturating_bicycle_population_real c8 = inv1*(c5 - c6);
-        const saturating_bicycle_population_real c9 = c3*c8;
+        const saturating_bicycle_population_real c7 = c6*state->pi1;
+        const saturating_bicycle_population_real c8 = c5 - c6;
+        const saturating_bicycle_population_real c9 = c4*c8;
         const saturating_bicycle_population_real c10 = (part0*part0);
         const saturating_bicycle_population_real c11 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
-        const saturating_bicycle_population_real c12 = state->K*inv0*inv_L;
-        const saturating_bicycle_population_real c13 = c12*inv2;
-        const saturating_bicycle_population_real c14 = c10*c11*c13;
-        const saturating_bicycle_population_real c15 = c14*state->pi1;
-        const saturating_bicycle_population_real c16 = (-c15);
-        const saturating_bicycle_population_real c17 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
-        const saturating_bicycle_population_real c18 = c13*c17;
-        const saturating_bicycle_population_real c19 = R(0.16666666666666666)*h;
-        const saturating_bicycle_population_real c20 = c12*c17;
-        const saturating_bicycle_population_real c21 = c19*c4;
-        const saturating_bicycle_population_real c22 = inv2*inv_L;
-        const saturating_bicycle_population_real c23 = c22*inv0;
-        const saturating_bicycle_population_real c24 = state->v_star_plain + state->pi1*state->r_star_plain;
-        const saturating_bicycle_population_real c25 = c24 - u_plain;
-        const saturating_bicycle_population_real c26 = (part1*part1);
-        const saturating_bicycle_population_real c27 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
-        const saturating_bicycle_population_real c28 = c26*c27;
-        const saturating_bicycle_population_real c29 = c25*c28;
-        const saturating_bicycle_population_real c30 = c23*c29;
-        const saturating_bicycle_population_real c31 = (part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
-        const saturating_bicycle_population_real c32 = state->eta*(c24 - state->r_star_plain);
-        const saturating_bicycle_population_real c33 = c31*c32;
-        const saturating_bicycle_population_real c34 = c23*c33;
-        const saturating_bicycle_population_real c35 = c12*(inv2*inv2);
-        const saturating_bicycle_population_real c36 = state->K*inv0*inv2*inv_L*state->r_star_plain - c25*c35;
-        const saturating_bicycle_population_real c37 = c28*c36;
-        const saturating_bicycle_population_real c38 = c31*(state->K*state->eta*inv0*inv2*inv_L*state->r_star_plain - c32*c35);
-        const saturating_bicycle_population_real c39 = state->K*c22;
-        const saturating_bicycle_population_real c40 = c2*c39;
-        const saturating_bicycle_population_real c41 = c40*inv1;
-        const saturating_bicycle_population_real c42 = c39*(inv0*inv0);
-        const saturating_bicycle_population_real c43 = c29*c42;
-        const saturating_bicycle_population_real c44 = c33*c42;
+        const saturating_bicycle_population_real c12 = c10*c11;
+        const saturating_bicycle_population_real c13 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const saturating_bicycle_population_real c14 = R(0.16666666666666666)*h;
+        const saturating_bicycle_population_real c15 = state->K*inv_L;
+        const saturating_bicycle_population_real c16 = c15*inv2;
+        const saturating_bicycle_population_real c17 = c16*c2;
+        const saturating_bicycle_population_real c18 = c13 - c10*c11*inv2*state->pi1;
+        const saturating_bicycle_population_real c19 = c15*c2;
+        const saturating_bicycle_population_real c20 = c19*state->pi1;
+        const saturating_bicycle_population_real c21 = c17*inv1;
+        const saturating_bicycle_population_real c22 = c19*inv1;
+        const saturating_bicycle_population_real c23 = state->v_star_plain + state->pi1*state->r_star_plain;
+        const saturating_bicycle_population_real c24 = c23 - u_plain;
+        const saturating_bicycle_population_real c25 = (part1*part1);
+        const saturating_bicycle_population_real c26 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
+        const saturating_bicycle_population_real c27 = c25*c26;
+        const saturating_bicycle_population_real c28 = c24*c27;
+        const saturating_bicycle_population_real c29 = (-state->r_star_plain);
+        const saturating_bicycle_population_real c30 = c23 + c29;
+        const saturating_bicycle_population_real c31 = state->eta*(part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
+        const saturating_bicycle_population_real c32 = c30*c31;
+        const saturating_bicycle_population_real c33 = c28 + c32*state->pi1 - c24*c25*c26*state->pi1;
+        const saturating_bicycle_population_real c34 = c32 - c28;
+        const saturating_bicycle_population_real c35 = (-c5);
+        const saturating_bicycle_population_real c36 = (-c29) - c24*inv2;
+        const saturating_bicycle_population_real c37 = c16*inv0;
+        const saturating_bicycle_population_real c38 = c30*inv2;
+        const saturating_bicycle_population_real c39 = c31*((-c29) - c38);
+        const saturating_bicycle_population_real c40 = c31*c38;
         const saturating_bicycle_population_real f_v_star = (-state->r_star) - c3*(load0*over0*part0*state->pi1 - c0 - c1*state->pi1); /* rate [-] */
         const saturating_bicycle_population_real f_r_star = c4*(c0 - c1); /* rate [-] */
-        const saturating_bicycle_population_real f_v_star_plain = (-state->r_star_plain) - c7*state->grip;
+        const saturating_bicycle_population_real f_v_star_plain = (-state->r_star_plain) - c3*(load1*over1*part1*state->pi1 - c5 - c7);
         const saturating_bicycle_population_real f_r_star_plain = c9;
-        const saturating_bicycle_population_real J_00 = (-c19*c3*((-c14) - c16 - c18*state->pi1));
-        const saturating_bicycle_population_real J_01 = c19*((-R(1.0)) - c3*(state->K*c10*c11*inv0*inv2*inv_L*(state->pi1*state->pi1) - c15 - c20*state->pi1));
-        const saturating_bicycle_population_real J_10 = c21*(c14 - c18);
-        const saturating_bicycle_population_real J_11 = c21*((-c16) - c20);
-        const saturating_bicycle_population_real f_v_star_K = (-state->K*c3*(c25*c26*c27*inv0*inv2*inv_L*state->pi1 - c30 - c34*state->pi1));
-        const saturating_bicycle_population_real f_r_star_K = state->K*c4*(c30 - c34);
-        const saturating_bicycle_population_real f_v_star_pi1 = (-c3*(c5 + c26*c27*c36*state->pi1 - c37 - c6 - c38*state->pi1));
-        const saturating_bicycle_population_real f_r_star_pi1 = c4*(c37 - c38);
-        const saturating_bicycle_population_real f_v_star_eta = c33*c40*state->pi1;
-        const saturating_bicycle_population_real f_r_star_eta = (-c33*c41);
+        const saturating_bicycle_population_real J_00 = (-c14*c17*(c10*c11*state->pi1 - c12 - c13*state->pi1));
+        const saturating_bicycle_population_real J_01 = (-c14*(R(1.0) + c20*((-c18) - c12*inv2)));
+        const saturating_bicycle_population_real J_10 = c14*c21*(c12 - c13);
+        const saturating_bicycle_population_real J_11 = (-c14*c18*c22);
+        const saturating_bicycle_population_real f_v_star_K = c17*c33;
+        const saturating_bicycle_population_real f_r_star_K = (-c21*c34);
+        const saturating_bicycle_population_real f_v_star_pi1 = (-c3*(state->K*c25*c26*c36*inv0*inv2*inv_L*state->pi1 - c35 - c6 - c27*c36*c37 - c37*c39*state->pi1));
+        const saturating_bicycle_population_real f_r_star_pi1 = c21*(c25*c26*c36 - c39);
+        const saturating_bicycle_population_real f_v_star_eta = c20*c40;
+        const saturating_bicycle_population_real f_r_star_eta = (-c22*c40);
         const saturating_bicycle_population_real f_v_star_rho = R(0.0);
         const saturating_bicycle_population_real f_r_star_rho = (-c9);
-        const saturating_bicycle_population_real f_v_star_grip = state->grip*((-c7) - c3*(c43 + c44*state->pi1 - c43*state->pi1));
-        const saturating_bicycle_population_real f_r_star_grip = state->grip*(c2*c8 + c4*(c44 - c43));
-        const saturating_bicycle_population_real f_v_star_u = (-c3*(state->K*c26*c27*inv0*inv2*inv_L - c13*c28*state->pi1));
-        const saturating_bicycle_population_real f_r_star_u = (-c28*c41);
+        const saturating_bicycle_population_real f_v_star_grip = (-c3*(c35 + c33*c37 + c5*state->pi1 - c7));
+        const saturating_bicycle_population_real f_r_star_grip = c4*(c8 + c34*c37);
+        const saturating_bicycle_population_real f_v_star_u = (-c17*c27*(R(1.0) - state->pi1));
+        const saturating_bicycle_population_real f_r_star_u = (-c21*c27);
         const saturating_bicycle_population_real p0 = J_00*J_11 - J_01*J_10;
         const saturating_bicycle_population_real p1 = (-J_00) - J_11;
         const saturating_bicycle_population_real n0 = R(1.0) - R(1.5)*p0;
@@ -602,73 +786,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real F_v_star_r_star = M_01*ratio_r_star;
         const saturating_bicycle_population_real F_r_star_v_star = M_10*ratio_v_star;
         const saturating_bicycle_population_real F_r_star_r_star = M_11*ratio_r_star;
-        const saturating_bicycle_population_real PW_0 = P[2] + P[9] + P[8]*steer;
-        const saturating_bicycle_population_real FP_0_0 = (F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4]) + (F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0]);
-        const saturating_bicycle_population_real FP_1_0 = (F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4]) + (F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0]);
-        const saturating_bicycle_population_real PW_1 = P[12] + P[19] + P[18]*steer;
-        const saturating_bicycle_population_real FP_0_1 = (F_v_star_K*P[13] + F_v_star_eta*P[15] + F_v_star_grip*P[17] + F_v_star_pi1*P[14]) + (F_v_star_r_star*P[11] + F_v_star_rho*P[16] + F_v_star_u*PW_1 + F_v_star_v_star*P[1]);
-        const saturating_bicycle_population_real FP_1_1 = (F_r_star_K*P[13] + F_r_star_eta*P[15] + F_r_star_grip*P[17] + F_r_star_pi1*P[14]) + (F_r_star_r_star*P[11] + F_r_star_rho*P[16] + F_r_star_u*PW_1 + F_r_star_v_star*P[1]);
-        const saturating_bicycle_population_real PW_2 = P[21] + P[28] + P[27]*steer;
-        const saturating_bicycle_population_real FP_0_2 = (F_v_star_K*P[22] + F_v_star_eta*P[24] + F_v_star_grip*P[26] + F_v_star_pi1*P[23]) + (F_v_star_r_star*P[12] + F_v_star_rho*P[25] + F_v_star_u*PW_2 + F_v_star_v_star*P[2]);
-        const saturating_bicycle_population_real FP_1_2 = (F_r_star_K*P[22] + F_r_star_eta*P[24] + F_r_star_grip*P[26] + F_r_star_pi1*P[23]) + (F_r_star_r_star*P[12] + F_r_star_rho*P[25] + F_r_star_u*PW_2 + F_r_star_v_star*P[2]);
-        const saturating_bicycle_population_real PW_3 = P[22] + P[36] + P[35]*steer;
-        const saturating_bicycle_population_real FP_0_3 = (F_v_star_K*P[30] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31]) + (F_v_star_r_star*P[13] + F_v_star_rho*P[33] + F_v_star_u*PW_3 + F_v_star_v_star*P[3]);
-        const saturating_bicycle_population_real FP_1_3 = (F_r_star_K*P[30] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31]) + (F_r_star_r_star*P[13] + F_r_star_rho*P[33] + F_r_star_u*PW_3 + F_r_star_v_star*P[3]);
-        const saturating_bicycle_population_real PW_4 = P[23] + P[43] + P[42]*steer;
-        const saturating_bicycle_population_real FP_0_4 = (F_v_star_K*P[31] + F_v_star_eta*P[39] + F_v_star_grip*P[41] + F_v_star_pi1*P[38]) + (F_v_star_r_star*P[14] + F_v_star_rho*P[40] + F_v_star_u*PW_4 + F_v_star_v_star*P[4]);
-        const saturating_bicycle_population_real FP_1_4 = (F_r_star_K*P[31] + F_r_star_eta*P[39] + F_r_star_grip*P[41] + F_r_star_pi1*P[38]) + (F_r_star_r_star*P[14] + F_r_star_rho*P[40] + F_r_star_u*PW_4 + F_r_star_v_star*P[4]);
-        const saturating_bicycle_population_real PW_5 = P[24] + P[49] + P[48]*steer;
-        const saturating_bicycle_population_real FP_0_5 = (F_v_star_K*P[32] + F_v_star_eta*P[45] + F_v_star_grip*P[47] + F_v_star_pi1*P[39]) + (F_v_star_r_star*P[15] + F_v_star_rho*P[46] + F_v_star_u*PW_5 + F_v_star_v_star*P[5]);
-        const saturating_bicycle_population_real FP_1_5 = (F_r_star_K*P[32] + F_r_star_eta*P[45] + F_r_star_grip*P[47] + F_r_star_pi1*P[39]) + (F_r_star_r_star*P[15] + F_r_star_rho*P[46] + F_r_star_u*PW_5 + F_r_star_v_star*P[5]);
-        const saturating_bicycle_population_real PW_6 = P[25] + P[54] + P[53]*steer;
-        const saturating_bicycle_population_real FP_0_6 = (F_v_star_K*P[33] + F_v_star_eta*P[46] + F_v_star_grip*P[52] + F_v_star_pi1*P[40]) + (F_v_star_r_star*P[16] + F_v_star_rho*P[51] + F_v_star_u*PW_6 + F_v_star_v_star*P[6]);
-        const saturating_bicycle_population_real FP_1_6 = (F_r_star_K*P[33] + F_r_star_eta*P[46] + F_r_star_grip*P[52] + F_r_star_pi1*P[40]) + (F_r_star_r_star*P[16] + F_r_star_rho*P[51] + F_r_star_u*PW_6 + F_r_star_v_star*P[6]);
-        const saturating_bicycle_population_real PW_7 = P[26] + P[58] + P[57]*steer;
-        const saturating_bicycle_population_real FP_0_7 = (F_v_star_K*P[34] + F_v_star_eta*P[47] + F_v_star_grip*P[56] + F_v_star_pi1*P[41]) + (F_v_star_r_star*P[17] + F_v_star_rho*P[52] + F_v_star_u*PW_7 + F_v_star_v_star*P[7]);
-        const saturating_bicycle_population_real FP_1_7 = (F_r_star_K*P[34] + F_r_star_eta*P[47] + F_r_star_grip*P[56] + F_r_star_pi1*P[41]) + (F_r_star_r_star*P[17] + F_r_star_rho*P[52] + F_r_star_u*PW_7 + F_r_star_v_star*P[7]);
-        const saturating_bicycle_population_real PW_8 = P[27] + P[61] + P[60]*steer;
-        const saturating_bicycle_population_real FP_0_8 = (F_v_star_K*P[35] + F_v_star_eta*P[48] + F_v_star_grip*P[57] + F_v_star_pi1*P[42]) + (F_v_star_r_star*P[18] + F_v_star_rho*P[53] + F_v_star_u*PW_8 + F_v_star_v_star*P[8]);
-        const saturating_bicycle_population_real FP_1_8 = (F_r_star_K*P[35] + F_r_star_eta*P[48] + F_r_star_grip*P[57] + F_r_star_pi1*P[42]) + (F_r_star_r_star*P[18] + F_r_star_rho*P[53] + F_r_star_u*PW_8 + F_r_star_v_star*P[8]);
-        const saturating_bicycle_population_real PW_9 = P[28] + P[63] + P[61]*steer;
-        const saturating_bicycle_population_real FP_0_9 = (F_v_star_K*P[36] + F_v_star_eta*P[49] + F_v_star_grip*P[58] + F_v_star_pi1*P[43]) + (F_v_star_r_star*P[19] + F_v_star_rho*P[54] + F_v_star_u*PW_9 + F_v_star_v_star*P[9]);
-        const saturating_bicycle_population_real FP_1_9 = (F_r_star_K*P[36] + F_r_star_eta*P[49] + F_r_star_grip*P[58] + F_r_star_pi1*P[43]) + (F_r_star_r_star*P[19] + F_r_star_rho*P[54] + F_r_star_u*PW_9 + F_r_star_v_star*P[9]);
-        const saturating_bicycle_population_real PW_10 = P[29] + P[64] + P[62]*steer;
-        const saturating_bicycle_population_real FP_0_10 = (F_v_star_K*P[37] + F_v_star_eta*P[50] + F_v_star_grip*P[59] + F_v_star_pi1*P[44]) + (F_v_star_r_star*P[20] + F_v_star_rho*P[55] + F_v_star_u*PW_10 + F_v_star_v_star*P[10]);
-        const saturating_bicycle_population_real FP_1_10 = (F_r_star_K*P[37] + F_r_star_eta*P[50] + F_r_star_grip*P[59] + F_r_star_pi1*P[44]) + (F_r_star_r_star*P[20] + F_r_star_rho*P[55] + F_r_star_u*PW_10 + F_r_star_v_star*P[10]);
-        const saturating_bicycle_population_real WPF_0 = FP_0_2 + FP_0_9 + FP_0_8*steer;
-        P[0] = (FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star + FP_0_3*F_v_star_K + FP_0_4*F_v_star_pi1) + (FP_0_5*F_v_star_eta + FP_0_6*F_v_star_rho + FP_0_7*F_v_star_grip + F_v_star_u*WPF_0);
-        P[1] = (FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star + FP_0_3*F_r_star_K + FP_0_4*F_r_star_pi1) + (FP_0_5*F_r_star_eta + FP_0_6*F_r_star_rho + FP_0_7*F_r_star_grip + F_r_star_u*WPF_0);
-        P[2] = FP_0_2*keep_w;
-        P[3] = FP_0_3;
-        P[4] = FP_0_4;
-        P[5] = FP_0_5;
-        P[6] = FP_0_6;
-        P[7] = FP_0_7;
-        P[8] = FP_0_8;
-        P[9] = FP_0_9;
-        P[10] = FP_0_10;
-        const saturating_bicycle_population_real WPF_1 = FP_1_2 + FP_1_9 + FP_1_8*steer;
-        P[11] = (FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star + FP_1_3*F_r_star_K + FP_1_4*F_r_star_pi1) + (FP_1_5*F_r_star_eta + FP_1_6*F_r_star_rho + FP_1_7*F_r_star_grip + F_r_star_u*WPF_1);
-        P[12] = FP_1_2*keep_w;
-        P[13] = FP_1_3;
-        P[14] = FP_1_4;
-        P[15] = FP_1_5;
-        P[16] = FP_1_6;
-        P[17] = FP_1_7;
-        P[18] = FP_1_8;
-        P[19] = FP_1_9;
-        P[20] = FP_1_10;
-        P[21] = P[21]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
-        P[22] = P[22]*keep_w;
-        P[23] = P[23]*keep_w;
-        P[24] = P[24]*keep_w;
-        P[25] = P[25]*keep_w;
-        P[26] = P[26]*keep_w;
-        P[27] = P[27]*keep_w;
-        P[28] = P[28]*keep_w;
-        P[29] = P[29]*keep_w;
-        P[30] = P[30] + sample->dt*(diffusion + state->jump*config->jump_drift);
-        P[65] = P[65] + config->bias_drift*sample->dt;
+        saturating_bicycle_population_propagate(config, state, sample, steer, F_v_star_K, F_v_star_eta, F_v_star_grip, F_v_star_pi1, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_grip, F_r_star_pi1, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, w_nominal, diffusion);
         state->disturbance = state->disturbance*keep_w;
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
@@ -685,17 +803,9 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         const saturating_bicycle_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
         const saturating_bicycle_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
-        if (usable > R(0.5)) { /* measurement */
-            const saturating_bicycle_population_real c_0 = P[10] + P[1]*output_scale;
+        if (usable > 0) { /* measurement */
             const saturating_bicycle_population_real c_1 = P[20] + P[11]*output_scale;
-            const saturating_bicycle_population_real c_2 = P[29] + P[12]*output_scale;
             const saturating_bicycle_population_real c_3 = P[37] + P[13]*output_scale;
-            const saturating_bicycle_population_real c_4 = P[44] + P[14]*output_scale;
-            const saturating_bicycle_population_real c_5 = P[50] + P[15]*output_scale;
-            const saturating_bicycle_population_real c_6 = P[55] + P[16]*output_scale;
-            const saturating_bicycle_population_real c_7 = P[59] + P[17]*output_scale;
-            const saturating_bicycle_population_real c_8 = P[62] + P[18]*output_scale;
-            const saturating_bicycle_population_real c_9 = P[64] + P[19]*output_scale;
             const saturating_bicycle_population_real c_10 = P[65] + P[20]*output_scale;
             innovation = sample->measured - predicted;
             innovation_variance = c_10 + noise + c_1*output_scale;
@@ -708,122 +818,28 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
-            state->surprise = state->surprise + ((state->validity < (config->validity_limit*config->validity_limit) ? ((R(9.0)) < (nis) ? R(9.0) : nis) : R(1.0)) - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
+            const saturating_bicycle_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
+            const saturating_bicycle_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
+            state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
             const saturating_bicycle_population_real learn = state->excited*inv_spread;
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const saturating_bicycle_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
-            state->jump = (((above*above) > config->jump_ratio*state->restlessness) && ((state->surprise - config->surprise_limit) > R(0.0)) ? state->surprise - config->surprise_limit : R(0.0));
+            const saturating_bicycle_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
+            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
             const saturating_bicycle_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
             state->unlearnt = sample->dt + state->unlearnt;
             const saturating_bicycle_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
             if (learn_seldom > R(0.0)) {
                 state->unlearnt = R(0.0);
             }
-            const saturating_bicycle_population_real gain_0 = c_0*inv_spread;
-            const saturating_bicycle_population_real gain_1 = c_1*inv_spread;
-            const saturating_bicycle_population_real gain_2 = c_2*inv_spread;
             const saturating_bicycle_population_real gain_3 = c_3*learn;
-            const saturating_bicycle_population_real gain_4 = c_4*learn_seldom;
-            const saturating_bicycle_population_real gain_5 = c_5*learn_slow;
-            const saturating_bicycle_population_real gain_6 = c_6*learn_slow;
-            const saturating_bicycle_population_real gain_7 = c_7*learn_slow;
-            const saturating_bicycle_population_real gain_8 = c_8*learn_slow;
-            const saturating_bicycle_population_real gain_9 = c_9*inv_spread;
-            const saturating_bicycle_population_real gain_10 = c_10*inv_spread;
             const saturating_bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            P[0] = P[0] - c_0*gain_0;
-            P[1] = P[1] - c_1*gain_0;
-            P[2] = P[2] - c_2*gain_0;
-            P[3] = P[3] - c_3*gain_0;
-            P[4] = P[4] - c_4*gain_0;
-            P[5] = P[5] - c_5*gain_0;
-            P[6] = P[6] - c_6*gain_0;
-            P[7] = P[7] - c_7*gain_0;
-            P[8] = P[8] - c_8*gain_0;
-            P[9] = P[9] - c_9*gain_0;
-            P[10] = P[10] - c_10*gain_0;
-            P[11] = P[11] - c_1*gain_1;
-            P[12] = P[12] - c_2*gain_1;
-            P[13] = P[13] - c_3*gain_1;
-            P[14] = P[14] - c_4*gain_1;
-            P[15] = P[15] - c_5*gain_1;
-            P[16] = P[16] - c_6*gain_1;
-            P[17] = P[17] - c_7*gain_1;
-            P[18] = P[18] - c_8*gain_1;
-            P[19] = P[19] - c_9*gain_1;
-            P[20] = P[20] - c_10*gain_1;
-            P[21] = P[21] - c_2*gain_2;
-            P[22] = P[22] - c_3*gain_2;
-            P[23] = P[23] - c_4*gain_2;
-            P[24] = P[24] - c_5*gain_2;
-            P[25] = P[25] - c_6*gain_2;
-            P[26] = P[26] - c_7*gain_2;
-            P[27] = P[27] - c_8*gain_2;
-            P[28] = P[28] - c_9*gain_2;
-            P[29] = P[29] - c_10*gain_2;
-            P[30] = P[30] - c_3*gain_3;
-            P[31] = P[31] - c_4*gain_3;
-            P[32] = P[32] - c_5*gain_3;
-            P[33] = P[33] - c_6*gain_3;
-            P[34] = P[34] - c_7*gain_3;
-            P[35] = P[35] - c_8*gain_3;
-            P[36] = P[36] - c_3*gain_9;
-            P[37] = P[37] - c_3*gain_10;
-            P[38] = P[38] - c_4*gain_4;
-            P[39] = P[39] - c_4*gain_5;
-            P[40] = P[40] - c_4*gain_6;
-            P[41] = P[41] - c_4*gain_7;
-            P[42] = P[42] - c_4*gain_8;
-            P[43] = P[43] - c_4*gain_9;
-            P[44] = P[44] - c_4*gain_10;
-            P[45] = P[45] - c_5*gain_5;
-            P[46] = P[46] - c_6*gain_5;
-            P[47] = P[47] - c_7*gain_5;
-            P[48] = P[48] - c_8*gain_5;
-            P[49] = P[49] - c_5*gain_9;
-            P[50] = P[50] - c_5*gain_10;
-            P[51] = P[51] - c_6*gain_6;
-            P[52] = P[52] - c_7*gain_6;
-            P[53] = P[53] - c_8*gain_6;
-            P[54] = P[54] - c_6*gain_9;
-            P[55] = P[55] - c_6*gain_10;
-            P[56] = P[56] - c_7*gain_7;
-            P[57] = P[57] - c_8*gain_7;
-            P[58] = P[58] - c_7*gain_9;
-            P[59] = P[59] - c_7*gain_10;
-            P[60] = P[60] - c_8*gain_8;
-            P[61] = P[61] - c_8*gain_9;
-            P[62] = P[62] - c_8*gain_10;
-            P[63] = P[63] - c_9*gain_9;
-            P[64] = P[64] - c_10*gain_9;
-            P[65] = P[65] - c_10*gain_10;
-            state->v_star = state->v_star + gain_0*innovation;
-            state->r_star = state->r_star + gain_1*innovation;
-            state->disturbance = state->disturbance + gain_2*innovation;
             move = move + gain_3*innovation;
-            state->pi1 = state->pi1 + gain_4*innovation;
-            const saturating_bicycle_population_real move_eta = gain_5*innovation;
-            const saturating_bicycle_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
-            const saturating_bicycle_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-            state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
-            const saturating_bicycle_population_real move_rho = gain_6*innovation;
-            const saturating_bicycle_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
-            const saturating_bicycle_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-            state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-            const saturating_bicycle_population_real move_grip = gain_7*innovation;
-            const saturating_bicycle_population_real above_move_grip = (((-R(1.0))) > (move_grip) ? (-R(1.0)) : move_grip);
-            const saturating_bicycle_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
-            state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
-            const saturating_bicycle_population_real move_input_scale = gain_8*innovation;
-            const saturating_bicycle_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
-            const saturating_bicycle_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
-            state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-            state->input_offset = state->input_offset + gain_9*innovation;
-            state->output_bias = state->output_bias + gain_10*innovation;
+            saturating_bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_10, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
-            const saturating_bicycle_population_real noise_change = (((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
+            const saturating_bicycle_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
             state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
@@ -850,7 +866,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
             state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
-            if (usable > R(0.5)) {
+            if (usable > 0) {
                 status = 3;
             }
         }
@@ -858,7 +874,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         disturbance_now = state->disturbance_scale*w_nominal;
         state->last_input = u_now;
         state->last_U = U_now;
-        if (usable > R(0.5)) {
+        if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);
         }

@@ -5,12 +5,13 @@ Invariant: the file needs no header, no heap, no mathematics library and no glob
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
 
 from similitude.program.ir import Assign, Field, Program, Statement, When, walk, without_unread
+from similitude.program.parts import Part, parts_of, runs
 from similitude.program.text import C, Language, count_operations, expression_text
 
 _HEAD = """\
@@ -42,11 +43,15 @@ _HEAD = """\
 #define SIMILITUDE_INLINE static inline
 #endif
 #endif
+#ifndef SIMILITUDE_PART
+#define SIMILITUDE_PART SIMILITUDE_INLINE
+#endif
 
 typedef SIMILITUDE_REAL {name}_real;
 #define R(x) (({name}_real)(x))
 """
 
+SHORTER_AS_LOOP = 8  # zeros in a row of an array; fewer are as short one by one
 # |x| against a limit: a sign bit cleared where the compiler has a word for it, two comparisons elsewhere.
 _MAGNITUDE = """\
 #if defined(__GNUC__)
@@ -92,13 +97,15 @@ class _Scope:
     name: str
     mutable: frozenset[str]
     language: Language
+    parts: Mapping[str, Part]
 
 
 def _scope(program: Program, mutable: set[str]) -> _Scope:
     """Structs are read and written where they stand: what is copied early only waits, on the stack."""
     places = _places(program.config, "config") | _places(program.sample, "sample")
     names = places | _places(program.state, "state") | _element(program.state)
-    return _Scope(program.name, frozenset(mutable), replace(C, names=names, whole=whole_variables(program)))
+    language = replace(C, names=names, whole=whole_variables(program))
+    return _Scope(program.name, frozenset(mutable), language, parts_of(program))
 
 
 def whole_variables(program: Program) -> frozenset[str]:
@@ -221,7 +228,14 @@ def names_written(body: Iterable[Statement]) -> set[str]:
     return {s.target for s in walk(body) if isinstance(s, Assign)}
 
 
-def _body(body: Iterable[Statement], scope: _Scope, depth: int) -> list[str]:
+def _body(body: tuple[Statement, ...], scope: _Scope, depth: int) -> list[str]:
+    lines = []
+    for name, some in runs(body):
+        lines += [_call(scope.parts[name], scope, depth)] if name else _plain(some, scope, depth)
+    return lines
+
+
+def _plain(body: Iterable[Statement], scope: _Scope, depth: int) -> list[str]:
     pad = "    " * depth
     lines = []
     for s in body:
@@ -235,6 +249,33 @@ def _body(body: Iterable[Statement], scope: _Scope, depth: int) -> list[str]:
         target = scope.language.names.get(s.target, s.target)
         lines.append(f"{pad}{kind}{target} = {text};{comment}")
     return lines
+
+
+def _call(part: Part, scope: _Scope, depth: int) -> str:
+    return f"{'    ' * depth}{scope.name}_{part.name}({', '.join([*part.structs, *part.arguments])});"
+
+
+def _function(part: Part, program: Program, scope: _Scope) -> str:
+    """A part of the step as a function; what it takes stands in the order of its first use."""
+    name = program.name
+    constant = {"config": "const ", "state": "", "sample": "const "}
+    takes = [f"{constant[kind]}{name}_{kind} *{kind}" for kind in part.structs]
+    takes += [f"const {'int' if a in scope.language.whole else f'{name}_real'} {a}" for a in part.arguments]
+    arrays = {s.name: f for f in program.state for s in f.symbols if f.size > 1}
+    used = names_read(part.body) | names_written(part.body)
+    fields = {arrays[n].name: arrays[n] for n in arrays if n in used}
+    gap = ",\n" + " " * 8
+    return "\n".join(
+        [
+            f"/* A part of the step: {part.name}. */",
+            f"SIMILITUDE_PART void {name}_{part.name}(",
+            f"        {gap.join(takes)})",
+            "{",
+            *_arrays(fields.values(), name),
+            *_plain(part.body, scope, 1),
+            "}\n",
+        ]
+    )
 
 
 def _guard(s: When, scope: _Scope, depth: int) -> list[str]:
@@ -260,10 +301,26 @@ def _init(program: Program) -> str:
         "{",
         *([] if read & {s.name for f in program.config for s in f.symbols} else ["    (void)config;"]),
         *_arrays(program.state, name),
-        *_body(program.init, _scope(program, {s.name for f in program.state for s in f.symbols}), 1),
+        *_prior(program),
         "}\n",
     ]
     return "\n".join(lines)
+
+
+def _prior(program: Program) -> list[str]:
+    """The statements of ``init``; an array that begins with zeros in one loop, which is shorter."""
+    scope = _scope(program, {s.name for f in program.state for s in f.symbols})
+    body, loops = list(program.init), []
+    for f in program.state:
+        if f.size < SHORTER_AS_LOOP:
+            continue
+        zeros = [Assign(symbol.name, sp.Integer(0)) for symbol in f.symbols]
+        at = body.index(zeros[0]) if zeros[0] in body else 0
+        touched = names_read(body[:at]) | names_written(body[:at])
+        if body[at : at + f.size] == zeros and touched.isdisjoint(z.target for z in zeros):
+            del body[at : at + f.size]
+            loops += [f"    for (i = 0; i < {f.size}; ++i) {{", f"        {f.name}[i] = R(0.0);", "    }"]
+    return [*(["    int i;"] if loops else []), *loops, *_body(tuple(body), scope, 1)]
 
 
 def _declared(name: str, scope: _Scope) -> str:
@@ -280,6 +337,7 @@ def _advance(program: Program) -> str:
     working = {f.name for f in program.variables}
     scope = _scope(program, states | outputs | working)
     lines = [
+        *(_function(part, program, scope) for part in scope.parts.values()),
         "/* What the step and the batch loop do with one sample. */",
         f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
         f"                                     const {name}_sample *sample, {name}_output *output)",

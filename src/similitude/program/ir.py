@@ -41,11 +41,15 @@ class Field:
 
 @dataclass(frozen=True)
 class Assign:
-    """``target = expression``; a target that is no field and no variable is a constant temporary."""
+    """``target = expression``; a target that is no field and no variable is a constant temporary.
+
+    Neighbours of the same ``part`` become one C function (`program.parts`).
+    """
 
     target: str
     expression: sp.Expr
     comment: str = ""
+    part: str = ""
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
 """The covariance of a filter as straight-line statements on its upper triangle.
 
-Invariant: P stays symmetric because only one half is stored; every entry is written once a stage.
+Invariant: P stays symmetric because only one half is stored; what is overwritten was read before.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -67,27 +67,25 @@ def predict(
     decay : index -> diagonal entry of F for slow states that decay; one where absent.
     noise : index -> variance added [coordinate^2].
     """
-    lines: list[Assign] = []
     FP = {(i, j): sp.Symbol(f"FP_{i}_{j}", real=True) for i in rows for j in range(P.n)}
-    for j in range(P.n):
-        together = sp.Symbol(f"PW_{j}", real=True)
-        lines.append(Assign(together.name, sp.Add(*(w * P[k, j] for k, w in shared.weights.items()))))
-        for i, row in rows.items():
-            total = sp.Add(*(entry * P[k, j] for k, entry in row.items()), shared.entries[i] * together)
-            lines.append(Assign(FP[i, j].name, total))
+    slow = [j for j in range(P.n) if j not in rows]
+    lines = [line for j in rows for line in _times(P, rows, shared, FP, j)]
+    dense = [(i, j) for i in rows for j in rows if j >= i]
+    for i, j in dense:
+        full = sp.Add(*(FP[i, k] * e for k, e in rows[j].items() if k in rows))
+        lines.append(Assign(P.target(i, j), full + (noise.get(i, 0) if i == j else 0)))
+    for k in slow:  # in place, one column after the other, so that few values wait
+        lines += _times(P, rows, shared, FP, k)
+        lines += [Assign(P.target(i, k), FP[i, k] * decay.get(k, 1)) for i in rows]
+        if any(k in row for row in rows.values()):
+            lines += [Assign(P.target(i, j), P[i, j] + FP[i, k] * rows[j].get(k, 0)) for i, j in dense]
     for i in rows:
+        lines.append(Assign(f"WPF_{i}", sp.Add(*(w * FP[i, k] for k, w in shared.weights.items()))))
+    for i, j in dense:
         together = sp.Symbol(f"WPF_{i}", real=True)
-        lines.append(Assign(together.name, sp.Add(*(w * FP[i, k] for k, w in shared.weights.items()))))
-        for j in range(P.n):
-            if j not in rows:
-                lines.append(Assign(P.target(i, j), FP[i, j] * decay.get(j, 1)))
-            elif j >= i:
-                full = sp.Add(*(FP[i, k] * e for k, e in rows[j].items()), shared.entries[j] * together)
-                lines.append(Assign(P.target(i, j), full + (noise.get(i, 0) if i == j else 0)))
-    for i in range(P.n):
-        for j in range(i, P.n):
-            if i in rows or j in rows:
-                continue
+        lines.append(Assign(P.target(i, j), P[i, j] + together * shared.entries[j]))
+    for i in slow:
+        for j in slow[slow.index(i) :]:
             factor = decay.get(i, 1) * decay.get(j, 1)
             added = noise.get(i, sp.Integer(0)) if i == j else sp.Integer(0)
             if factor != 1 or added != 0:
@@ -95,11 +93,29 @@ def predict(
     return lines
 
 
-def column(P: Symmetric, gradient: Mapping[int, sp.Expr], prefix: str) -> list[Assign]:
-    """``<prefix>_i = (P H')_i`` for a measurement with the given gradient H."""
+def _times(
+    P: Symmetric,
+    rows: Mapping[int, Mapping[int, sp.Expr]],
+    shared: Shared,
+    FP: Mapping[tuple[int, int], sp.Symbol],
+    j: int,
+) -> list[Assign]:
+    """Column j of F P in the dense rows."""
+    together = sp.Symbol(f"PW_{j}", real=True)
+    lines = [Assign(together.name, sp.Add(*(w * P[k, j] for k, w in shared.weights.items())))]
+    for i, row in rows.items():
+        total = sp.Add(*(entry * P[k, j] for k, entry in row.items()), shared.entries[i] * together)
+        lines.append(Assign(FP[i, j].name, total))
+    return lines
+
+
+def column(
+    P: Symmetric, gradient: Mapping[int, sp.Expr], prefix: str, rows: Iterable[int] | None = None
+) -> list[Assign]:
+    """``<prefix>_i = (P H')_i`` for a measurement with the given gradient H; of all rows or those given."""
     return [
         Assign(f"{prefix}_{i}", sp.Add(*(entry * P[i, k] for k, entry in gradient.items())))
-        for i in range(P.n)
+        for i in (range(P.n) if rows is None else rows)
     ]
 
 

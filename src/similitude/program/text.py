@@ -15,7 +15,7 @@ import sympy as sp
 
 from similitude.errors import ProgramError
 
-LONG_SUM = 4  # terms; from here on a sum is added in two halves, which a processor does side by side
+LONG_SUM = 12  # terms; from here on a sum is added in two halves, which a large processor does side by side
 
 
 @dataclass(frozen=True)
