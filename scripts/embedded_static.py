@@ -166,6 +166,8 @@ def _alarms(name: str, folder: Path, file: str) -> int:
         "-eva",
         "-eva-precision",
         "1",
+        "-eva-auto-loop-unroll",  # init's loops over arrays, so that each element is seen to be set
+        "128",
         "-warn-special-float",
         "none",
         f"-cpp-extra-args=-D{CONTRACT_OFF}",

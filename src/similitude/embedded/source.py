@@ -182,13 +182,16 @@ int {name}_restore(const {name}_config *config, {name}_state *state, const unsig
 _MAGNITUDE = """\
 /* |x| against a limit: a sign bit cleared, no call. Frama-C is shown the comparisons, which it can follow. */
 #if defined(__GNUC__) && !defined(__FRAMAC__)
-#define WITHIN(x, limit) ({builtin}(x) < (limit))
-#define BEYOND(x, limit) ({builtin}(x) > (limit))
+{quick}
 #else
-#define WITHIN(x, limit) (((x) < (limit)) && ((x) > -(limit)))
-#define BEYOND(x, limit) (((x) > (limit)) || ((x) < -(limit)))
+{plain}
 #endif
 """
+_QUICK = {"WITHIN": "({builtin}(x) < (limit))", "BEYOND": "({builtin}(x) > (limit))"}
+_PLAIN = {
+    "WITHIN": "(((x) < (limit)) && ((x) > -(limit)))",
+    "BEYOND": "(((x) > (limit)) || ((x) < -(limit)))",
+}
 
 _PART = """\
 /* A part of the step: a function of its own, so that the compiler keeps fewer values waiting on the stack. */
@@ -294,6 +297,11 @@ def print_sources(
 
 
 def _magnitude(bodies: str, real: str) -> str:
-    if "WITHIN(" not in bodies:
+    """The macros that the step uses, and no other."""
+    used = [name for name in _QUICK if f"{name}(" in bodies]
+    if not used:
         return ""
-    return _MAGNITUDE.format(builtin="__builtin_fabsf" if real == "float" else "__builtin_fabs")
+    builtin = "__builtin_fabsf" if real == "float" else "__builtin_fabs"
+    quick = "\n".join(f"#define {n}(x, limit) {_QUICK[n].format(builtin=builtin)}" for n in used)
+    plain = "\n".join(f"#define {n}(x, limit) {_PLAIN[n]}" for n in used)
+    return _MAGNITUDE.format(quick=quick, plain=plain)
