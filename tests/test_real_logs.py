@@ -12,9 +12,9 @@ from real_logs import LOGS, examined
 
 pytestmark = pytest.mark.slow
 EXCITED = [name for name in LOGS if name != "rav4_straight"]
-RESTLESS = {"f1tenth_ds1", "f1tenth_ds3", "f1tenth_ds5"}  # halves apart by more than both intervals
+RESTLESS = {"f1tenth_ds3", "f1tenth_ds5"}  # halves apart by more than both intervals
 NO_NUMBER = {"not_excited", "outside_population"}  # K is said not to be one
-AT_THE_LIMIT = {"f1tenth_ds1", "f1tenth_ds4", "f1tenth_ds5"}  # a quarter to half of the log: 3 to 6 sd
+AT_THE_LIMIT = {"f1tenth_ds4", "f1tenth_ds5"}  # a quarter of the log and more: 3 to 5 sd
 
 
 @pytest.fixture(scope="module")
@@ -66,12 +66,11 @@ def test_no_log_is_surer_of_a_slow_group_than_half_the_population(logs):
             assert group.std >= 0.5 * group.prior_std * relative * (1 - 1e-9)
 
 
-def test_the_servo_of_the_f1tenth_is_its_own_and_so_is_its_yaw_inertia(logs):
-    """3.2 rad/s is the slew that simulators of the car have; 0.81 is Iz/(m a b) of its vehicle file."""
+def test_the_servo_of_the_f1tenth_is_its_own(logs):
+    """3.2 rad/s is the slew that simulators of the car have."""
     told = [logs[name].whole for name in EXCITED[1:] if logs[name].whole.verdict not in NO_NUMBER]
     assert len(told) >= 3
     for run in told:
         assert 2.5 <= run.lag.servo.slew <= 4.2
         assert 0.0 < run.lag.servo.constant <= 0.08
-        assert run.groups["rho"].value == pytest.approx(0.81, rel=0.25)
     assert not logs["f1tenth_ds5"].whole.cross_check.structure_error

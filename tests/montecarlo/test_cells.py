@@ -1,4 +1,4 @@
-"""Honesty away from the reference experiment: every cell covers 90 to 99.5 %, but for one, none is wrong.
+"""Honesty away from the reference experiment: every cell covers 90 to 99.5 %, none is wrong.
 
 Long drives, noise and process noise assumed ten times too large or too small, a straight road, cars
 two sd off the population in the ratio of their stiffnesses, a wheelbase wrong by 5 %.
@@ -12,7 +12,6 @@ from .experiment import fleet, score
 
 pytestmark = pytest.mark.slow
 
-SHORT = 0.87  # the wheelbase is taken at its word: 5 % too little is a bias, as wide as the interval by then
 DRIFTS = ("drift", "idle_drift", "jump_drift", "faint_drift")
 DISTURBANCES = ("disturbance_floor", "disturbance_share")  # sd; the variance is ten times
 
@@ -43,8 +42,7 @@ DRIVES = {
 def test_the_interval_covers_in_every_cell(drive, steer_rms):
     drawn, assumed = DRIVES[drive]
     result = score(fleet(2, steer_rms=steer_rms, **drawn), **assumed)
-    least = SHORT if (drive, steer_rms) == ("wheelbase - 5 %", 10e-3) else 0.90
-    assert least <= result.coverage <= 0.995, result
+    assert 0.90 <= result.coverage <= 0.995, result
     assert result.wrong == 0, result
 
 
