@@ -88,6 +88,16 @@ def test_a_yaw_rate_without_a_number_stands_at_no_end():
     assert not cut_short(values, "delta").any()
 
 
+def test_a_yaw_rate_that_is_at_an_end_in_every_row_leaves_nothing_to_learn_from():
+    t = np.arange(1200) * 0.05
+    steer = 0.02 * np.sin(t)
+    rate = np.where(steer >= 0, 0.1, -0.1)
+    values = {"t": t, "delta": steer, "U": np.full(t.size, 20.0), "r": rate}
+
+    with np.errstate(all="raise"):
+        assert not cut_short(values, "delta").any()
+
+
 @pytest.mark.parametrize("most", [0.5, 2.0])
 def test_a_yaw_rate_that_is_cut_off_asks_for_less_than_its_steer(most):
     """A rounded rate on the rails of its steer: cut at half its size it is found, whole it is not."""

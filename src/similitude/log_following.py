@@ -204,7 +204,7 @@ def cut_short(values: Mapping[str, np.ndarray], name: str) -> np.ndarray:
     design, known = seen.design()
     side = np.nan_to_num(_means(seen.t, ends))[known]
     there = np.abs(side) > 0.5
-    if np.count_nonzero(known) < FEWEST_BINS or there.sum() < LEAST_BINS:
+    if np.count_nonzero(known) < FEWEST_BINS or min(there.sum(), (~there).sum()) < LEAST_BINS:
         return rows
     beyond, rest = _asked_beyond(design[known], seen.turned[known], np.where(there, np.sign(side), 0.0))
     spread = float(np.std(seen.turned[known]))
