@@ -6,6 +6,8 @@ or comes from the prior, the vehicle or the log, and is reported under ``assumed
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -78,6 +80,18 @@ LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
 ROOM = 0.5  # of ln K
 
 
+def longest(values: Mapping[str, float]) -> float:
+    """Longest time a sample may count for in an average [s]: no weight exceeds one.
+
+    Parameters
+    ----------
+    values : the rates [1/s] and times [s] of a small filter's configuration, by name.
+    """
+    rates = [v for n, v in values.items() if n.endswith("_rate")]
+    rates += [2 * v for n, v in values.items() if n.endswith("_adapt")]  # of two samples at once
+    return min(1 / max(rates), 2 * values["structure_time"])
+
+
 def filter_config(
     library: Library,
     prior: Prior,
@@ -124,5 +138,5 @@ def filter_config(
     for i, name in enumerate(prior.names):
         values |= {f"{name}_prior": prior.mean[i], f"{name}_low": low[i], f"{name}_high": high[i]}
     told = {row[0] for row in library.layout.CONFIG}  # a small filter asks for less
-    own = {name: value for name, value in {**DESIGN, **further, **values}.items() if name in told}
-    return library.config({**own, **changes})
+    own = {name: value for name, value in {**DESIGN, **further, **values}.items() if name in told} | changes
+    return library.config({**({"longest": longest(own)} if "longest" in told else {}), **own})

@@ -166,6 +166,10 @@ def _stated(source: Source, library: Library, vehicle: Path | None, sample_time:
     own = _constants(source.estimator, step)
     constants = {n: v for n, v in own.items() if units.get(n) in ("-", *TIMES) and n not in stated}
     values = {**constants, **{n: v for n, v in stated.items() if n in units or n != "sample_time"}}
+    if "longest" in units and "longest" not in values:
+        from similitude.filter_config import longest
+
+        values["longest"] = longest(values)
     missing = [row for row in library.layout.CONFIG if row[0] not in values]
     if missing:
         lines = "\n".join(

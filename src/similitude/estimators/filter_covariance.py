@@ -6,11 +6,12 @@ what it does to the others is still accounted for.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import sympy as sp
 
 from similitude.elementary import spelt_functions
+from similitude.estimators.filter_adapt import adapt, move_log
 from similitude.estimators.filter_fields import BIAS, DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.estimators.filter_jump import heard, jump, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Statement, When
@@ -18,9 +19,8 @@ from similitude.program.parts import as_part
 from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
 from similitude.sampling import ImplicitStep
-from similitude.status import STATUS
 
-LARGEST_STEP = sp.Rational(1, 20)  # of ln noise from one sample, however long it took
+ORDER = ("inv_spread", "learn", "learn_slow", "learn_seldom")  # of weights: each is zero where one before is
 
 
 def S(name: str) -> sp.Symbol:
@@ -33,57 +33,64 @@ dt = S("dt")
 
 def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -> list[Statement]:
     """Covariance over one step, and the pull of the first unknown towards its prior."""
-    at = {name: i for i, name in enumerate(layout.coordinates)}
-    target = layout.target
-    lines: list[Statement] = [
+    entries, propagated = propagation(layout, step, ratios, slow_noise(layout))
+    prior = {n: S(f"{n}_prior") for n in layout.wandering}
+    return [
         Assign("keep_w", sp.Max(0, 1 - dt * S("disturbance_rate"))),
         *(Assign(f"keep_{n}", sp.Max(0, 1 - dt * S(f"{n}_rate"))) for n in layout.wandering),
-        Assign("w_nominal", _disturbance_variance(layout), "nominal variance of the disturbance"),
+        Assign("w_nominal", disturbance_variance(layout), "nominal variance of the disturbance"),
         Assign("move", sp.Integer(0)),
         Assign("diffusion", quiet_drift(), "a jump that could not have shown may have come"),
         When(
             S("excited") < sp.Rational(1, 2),
-            tuple(_pull(layout)),
+            tuple(pull(layout)),
             (),
             "nothing heard: it may have changed, and the population is the best guess",
         ),
+        *entries,
+        *as_part("propagate", propagated),
+        Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)),
+        *(Assign(n, x0 + S(f"keep_{n}") * (S(n) - x0)) for n, x0 in prior.items()),
     ]
+
+
+def propagation(
+    layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr], slow: Mapping[int, sp.Expr]
+) -> tuple[list[Assign], list[Assign]]:
+    """Entries of F that are no working value yet, and P <- F P F' + Q.
+
+    ``slow`` index -> variance added to a slow coordinate.
+    """
+    at = {name: i for i, name in enumerate(layout.coordinates)}
+    entries: list[Assign] = []
     rows: dict[int, dict[int, sp.Expr]] = {}
     for i, name in enumerate(layout.fast):
         row = {at[k]: S(f"F_{name}_{k}") for k in layout.fast}
-        lines += [Assign(f"F_{name}_{k}", step.by_state[i, j] * ratios[j]) for j, k in enumerate(layout.fast)]
+        entries += [
+            Assign(f"F_{name}_{k}", step.by_state[i, j] * ratios[j]) for j, k in enumerate(layout.fast)
+        ]
         row |= {at[u]: step.by_parameter[u][i] for u in layout.unknowns}
         rows[at[name]] = row
     added = S("disturbance_scale") * S("w_nominal") * (1 - S("keep_w") * S("keep_w"))
-    propagated = predict(
-        layout.covariance,
-        rows,
-        Shared(
-            {
-                at[name]: weight
-                for name, weight in (
-                    (DISTURBANCE, sp.Integer(1)),
-                    (OFFSET, sp.Integer(1)),
-                    (INPUT_SCALE, S("steer")),
-                )
-                if name in at
-            },
-            {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
-        ),
-        decay={at[DISTURBANCE]: S("keep_w")} | {at[n]: S(f"keep_{n}") for n in layout.wandering},
-        noise={
-            at[DISTURBANCE]: added,
-            at[target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
-            **{at[f"{q.name}_bias"]: S(f"{q.name}_bias_drift") * dt for q in layout.further},
-            **{at[n]: _prior_variance(layout, n) * (1 - S(f"keep_{n}") ** 2) for n in layout.wandering},
-        }
-        | ({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
+    weights = ((DISTURBANCE, sp.Integer(1)), (OFFSET, sp.Integer(1)), (INPUT_SCALE, S("steer")))
+    shared = Shared(
+        {at[name]: weight for name, weight in weights if name in at},
+        {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
     )
-    lines += as_part("propagate", propagated)
-    lines.append(Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)))
-    prior = {n: S(f"{n}_prior") for n in layout.wandering}
-    lines += [Assign(n, x0 + S(f"keep_{n}") * (S(n) - x0)) for n, x0 in prior.items()]
-    return lines
+    decay = {at[DISTURBANCE]: S("keep_w")} | {at[n]: S(f"keep_{n}") for n in layout.wandering}
+    noise = {at[DISTURBANCE]: added, **slow}
+    return entries, predict(layout.covariance, rows, shared, decay=decay, noise=noise)
+
+
+def slow_noise(layout: Layout) -> dict[int, sp.Expr]:
+    """Index -> variance that a sample adds to a coordinate that no dynamics move."""
+    at = {name: i for i, name in enumerate(layout.coordinates)}
+    return {
+        at[layout.target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
+        **{at[f"{q.name}_bias"]: S(f"{q.name}_bias_drift") * dt for q in layout.further},
+        **{at[n]: _prior_variance(layout, n) * (1 - S(f"keep_{n}") ** 2) for n in layout.wandering},
+        **({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
+    }
 
 
 def _prior_variance(layout: Layout, name: str) -> sp.Symbol:
@@ -91,7 +98,7 @@ def _prior_variance(layout: Layout, name: str) -> sp.Symbol:
     return layout.prior[i, i]
 
 
-def _pull(layout: Layout) -> list[Statement]:
+def pull(layout: Layout) -> list[Statement]:
     """Pull of the first unknown's coordinate towards its prior, without a logarithm.
 
     ln x = 2 artanh z with z = (x - 1)/(x + 1) = p/q; the Pade form of artanh is good to 0.3 % for x
@@ -123,16 +130,22 @@ def _pull(layout: Layout) -> list[Statement]:
     ]
 
 
-def _disturbance_variance(layout: Layout) -> sp.Expr:
+def disturbance_variance(layout: Layout) -> sp.Expr:
     floor, share = S("disturbance_floor"), S("disturbance_share")
     relative = share * S("inv_output_scale")
     return floor * floor + relative * relative * S("activity")
 
 
-def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[Statement]:
+def measurement(
+    layout: Layout,
+    further: Sequence[Statement] = (),
+    *,
+    update: Callable[[Layout, Mapping[int, sp.Expr]], list[Statement]] | None = None,
+) -> list[Statement]:
     """Predict the output and, where the sample is usable, update everything by the innovation.
 
-    ``further`` is what the other outputs of the sample correct after that.
+    ``further`` is what the other outputs of the sample correct after that; ``update`` what the innovation
+    does in place of this filter's own.
     """
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
@@ -161,7 +174,8 @@ def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[State
     speed = sp.Add(*(H[at[n]] * S(f"d_{n}") for n in layout.fast if at[n] in H)) * S("inv_dt")
     model_part = S("output_scale") * output
     structural = S("structure_share") * S("structure_share")
-    dependent = sp.Max(1, 2 * S("structure_time") * S("inv_dt"))
+    dependent = 2 * S("structure_time") * S("inv_dt")
+    dependent = dependent if layout.lean else sp.Max(1, dependent)
     timing = S("timing_error") * S("output_rate")
     lines: list[Statement] = [
         *direct,
@@ -180,8 +194,10 @@ def measurement(layout: Layout, further: Sequence[Statement] = ()) -> list[State
         ),
         *_validity(layout, states),
     ]
-    lines.append(When(S("usable") > sp.Rational(1, 2), (*_update(layout, H), *further), (), "measurement"))
-    lines += _move(layout.reduction.unknowns[0], "move")
+    lines.append(
+        When(S("usable") > sp.Rational(1, 2), (*(update or _update)(layout, H), *further), (), "measurement")
+    )
+    lines += move_unknown(layout.reduction.unknowns[0], "move")
     return lines
 
 
@@ -242,15 +258,43 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
             "excited",
             sp.Piecewise((1, S("excitation") > S("excitation_ratio") * S("noise")), (0, True)),
         ),
-        Assign("linear", sp.Piecewise((1, _linear(layout)), (0, True)), "1 in the model's linear range"),
+        Assign("linear", sp.Piecewise((1, linear_range(layout)), (0, True)), "1 in the model's linear range"),
         Assign("odd", sp.Min(S("nis"), 9) - 1, "by how much it is not as expected"),
         surprise(),
         Assign("learn", S("excited") * S("inv_spread")),
         heard(),
         *jump(),
+        *slow_weights("learn"),
+    ]
+    gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
+    weight = weights(layout, gains)
+    gained, nu = S("gained"), S("innovation")
+    lines += [
+        Assign(gains[t].name, S(f"c_{t}") * S(weight[t])),
+        Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
+        Assign(
+            "information",
+            S("information") + gained * (1 + gained) * S("inv_P"),
+            "1/variance gained",
+        ),
+        Assign("move", S("move") + gains[t] * nu),
+    ]
+    others = {i: gain for i, gain in gains.items() if i != t}
+    ranks = {i: ORDER.index(weight[i]) for i in gains}
+    corrected = column(P, H, "c", (i for i in range(P.n) if i not in early))
+    corrected += [Assign(gain.name, S(f"c_{i}") * S(weight[i])) for i, gain in others.items()]
+    corrected += [*reduce_by(P, gains, ranks, "c"), *state_update(layout, others)]
+    lines += as_part("correct", corrected)
+    lines += adapt(layout)
+    return lines
+
+
+def slow_weights(learn: str) -> list[Statement]:
+    """``learn_slow`` and ``learn_seldom``: what ``learn`` is for unknowns that cannot jump, and now and then."""
+    return [
         Assign(
             "learn_slow",
-            sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
+            sp.Piecewise((S(learn), S("jump") <= 0), (0, True)),
             "a jump is not blamed on what cannot jump",
         ),
         Assign("unlearnt", S("unlearnt") + dt),
@@ -261,31 +305,14 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         ),
         When(S("learn_seldom") > 0, (Assign("unlearnt", sp.Integer(0)),), ()),
     ]
-    gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
-    weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: "learn"}
+
+
+def weights(layout: Layout, rows: Iterable[int], learn: str = "learn") -> dict[int, str]:
+    """Index -> name of what the innovation counts with for that coordinate."""
+    names = layout.coordinates
+    weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: learn}
     weight |= dict.fromkeys(layout.seldom, "learn_seldom") | dict.fromkeys(layout.wandering, "inv_spread")
-    gained, nu = S("gained"), S("innovation")
-    lines += [
-        Assign(gains[t].name, S(f"c_{t}") * S(weight[layout.target])),
-        Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
-        Assign(
-            "information",
-            S("information") + gained * (1 + gained) * S("inv_P"),
-            "1/variance gained",
-        ),
-        Assign("move", S("move") + gains[t] * nu),
-    ]
-    order = {"inv_spread": 0, "learn": 1, "learn_slow": 2, "learn_seldom": 3}
-    others = {i: gain for i, gain in gains.items() if i != t}
-    ranks = {i: order[weight.get(names[i], "inv_spread")] for i in gains}
-    corrected = column(P, H, "c", (i for i in range(P.n) if i not in early))
-    corrected += [
-        Assign(gain.name, S(f"c_{i}") * S(weight.get(names[i], "inv_spread"))) for i, gain in others.items()
-    ]
-    corrected += [*reduce_by(P, gains, ranks, "c"), *_state_update(layout, others)]
-    lines += as_part("correct", corrected)
-    lines += _adapt(layout)
-    return lines
+    return {i: weight.get(names[i], "inv_spread") for i in rows}
 
 
 def _warm(layout: Layout) -> list[Statement]:
@@ -299,14 +326,14 @@ def _warm(layout: Layout) -> list[Statement]:
     ]
 
 
-def _linear(layout: Layout) -> sp.Basic:
+def linear_range(layout: Layout) -> sp.Basic:
     """Whether the model is in its linear range; beyond it an innovation tells of the tyre law."""
     if layout.reduction.groups.model.validity is None:
         return sp.true
     return S("validity") < S("validity_limit") ** 2
 
 
-def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
+def state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
     """Every coordinate but the first unknown, which moves at the end of the step."""
     nu = S("innovation")
     lines: list[Assign] = []
@@ -321,70 +348,8 @@ def _state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign
     return lines
 
 
-def _move(unknown: Unknown, by: str) -> list[Assign]:
+def move_unknown(unknown: Unknown, by: str) -> list[Assign]:
     """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
     if unknown.kind == "linear":
         return [Assign(unknown.name, unknown.symbol + S(by))]
     return move_log(unknown.name, by)
-
-
-def move_log(name: str, by: str) -> list[Assign]:
-    """Move a positive state by so much of its logarithm, at most one at a time."""
-    bounded = S(f"bounded_{by}")
-    return [
-        Assign(f"above_{by}", sp.Max(S(by), -1)),
-        Assign(bounded.name, sp.Min(S(f"above_{by}"), 1)),
-        Assign(name, S(name) * exponential(bounded)),
-    ]
-
-
-def exponential(x: sp.Symbol) -> sp.Expr:
-    """exp to third order, without a division; positive for |x| <= 1."""
-    return 1 + x * (1 + x * (sp.Rational(1, 2) + x / 6))
-
-
-def keep_within(name: str) -> list[Assign]:
-    """Keep a state between its configured limits."""
-    return [
-        Assign(name, sp.Max(S(name), S(f"{name}_low"))),
-        Assign(name, sp.Min(S(name), S(f"{name}_high"))),
-    ]
-
-
-def _adapt(layout: Layout) -> list[Statement]:
-    """The sizes of noise and disturbance follow the innovations; the status says how it went."""
-    P = layout.covariance
-    w = layout.coordinates.index(DISTURBANCE)
-    at, change, settling = S("disturbance_scale"), S("noise_change"), S("settling")
-    expected, seen = S("expected"), S("seen")
-    unseen = sp.Max(expected - P[w, w], S("observed_least") * expected)
-    calm = 1 / (1 + S("heat")) if layout.warming else sp.Integer(1)  # wrong unknowns are no noise
-    lines: list[Statement] = [
-        Assign(
-            "settling",
-            sp.Max(S("noise_adapt"), settling - dt * settling * settling * calm),
-            "1/time at first",
-        ),
-        Assign(
-            "noise_change",
-            sp.Min(S("dt") * S("settling"), LARGEST_STEP) * S("odd") * calm,
-        ),
-        Assign("noise_scale", S("noise_scale") * exponential(change)),
-        *keep_within("noise_scale"),
-        Assign("expected", at * S("w_nominal"), "disturbance variance expected"),
-        Assign("seen", sp.Min(S(DISTURBANCE) ** 2 + P[w, w], 9 * expected), "and seen"),
-        Assign("unseen", unseen),
-        Assign(
-            "disturbance_scale",
-            at + share("disturbance_adapt") * (seen - expected) * at / S("unseen") * calm,
-        ),
-        *keep_within("disturbance_scale"),
-        When(
-            sp.And(S("excited") < sp.Rational(1, 2), S("status") < sp.Rational(1, 2)),
-            (Assign("status", sp.Integer(STATUS["not_excited"])),),
-        ),
-    ]
-    if layout.reduction.groups.model.validity is not None:
-        outside = sp.And(S("validity") > S("validity_limit") ** 2, S("status") < sp.Rational(3, 2))
-        lines.append(When(outside, (Assign("status", sp.Integer(STATUS["outside_linear"])),)))
-    return lines

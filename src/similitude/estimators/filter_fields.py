@@ -40,6 +40,7 @@ class Layout:
     followed: bool = True  # sensitivities along states of their own, not along the estimate
     fine: bool = True  # two half steps a sample and a straight line between inputs; else one whole step
     warming: bool = False
+    lean: bool = False  # for small parts: see filter_lean
 
     @property
     def moving(self) -> tuple[str, ...]:
@@ -221,6 +222,10 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
             if layout.warming
             else ()
         ),
+        *_if(
+            layout.lean,
+            Field("longest", "s", "longest time a sample counts for in an average"),
+        ),
         Field("gap", "s", "longest time without a usable sample before a restart"),
         Field("input_limit", i.unit, f"greatest believable {i.name}"),
         Field("output_limit", o.unit, f"greatest believable {o.name}"),
@@ -309,6 +314,10 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("last_input", i.unit, "input of the sample before"),
         *(Field(f"last_{q.name}", q.unit, f"{q.meaning} of the sample before") for q in layout.signals),
         Field("age", "s", "time since the last usable sample"),
+        *_if(
+            layout.lean,
+            Field("turn", "-", "0: the size of the noise adapts next, 1: the disturbance's"),
+        ),
         Field("started", "-", "1 once a sample was used; 0 again while the scales hide the dynamics"),
     )
 

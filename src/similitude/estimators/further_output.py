@@ -15,7 +15,7 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from similitude.estimators.filter_covariance import LARGEST_STEP, exponential, keep_within, move_log
+from similitude.estimators.filter_adapt import LARGEST_STEP, exponential, keep_within, move_log
 from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.estimators.filter_jump import share
 from similitude.model import Quantity

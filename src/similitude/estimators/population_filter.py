@@ -26,6 +26,8 @@ from similitude.estimators.filter_fields import (
     PLAIN_OFFSET,
     Layout,
 )
+from similitude.estimators.filter_gates import gates, restart
+from similitude.estimators.filter_lean import keep_all_within, lean_dynamics, lean_update
 from similitude.estimators.further_fields import further_variable
 from similitude.estimators.further_output import further_updates
 from similitude.program.ir import Assign, Field, Program, Statement, When
@@ -116,6 +118,8 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         Field("inv_spread", "-", "1/variance the innovation counts with"),
         Field("move", "-", "change of the first unknown's logarithm"),
         *(further_variable(q) for q in layout.further),
+        *(Field(f"d_{name}", "-", "change over the step") for name in layout.fast if layout.lean),
+        *([Field("linear", "-", "1 in the model's linear range")] if layout.lean else []),
     )
 
 
@@ -155,7 +159,10 @@ def _init(layout: Layout) -> list[Statement]:
         "age",
         "started",
     ]
-    names += [f"last_{q.name}" for q in layout.signals]
+    names += [f"last_{q.name}" for q in layout.signals if not layout.lean]
+    least = S("signal_limit") * LEAST_SHARE
+    lines += [Assign(f"last_{q.name}", least) for q in layout.signals if layout.lean]
+    names += ["turn"] if layout.lean else []
     names += [f"{q.name}_{part}" for q in layout.further for part in ("bias", "activity")]
     lines += [Assign(f"{q.name}_noise_scale", sp.Integer(1)) for q in layout.further]
     if layout.leans_on_offset:
@@ -188,10 +195,10 @@ def _step(layout: Layout) -> list[Statement]:
         When(
             usable_time,
             (
-                *_gates(layout),
-                *_restart(layout),
+                *gates(layout),
+                *restart(layout),
                 *_dynamics(layout),
-                *cov.measurement(layout, further_updates(layout)),
+                *_measurement(layout),
                 *_after(layout),
             ),
             (
@@ -217,84 +224,10 @@ def _handed_out(layout: Layout, *lines: Assign) -> tuple[Assign, ...]:
     return lines if layout.monitored else ()
 
 
-def _within(x: sp.Symbol, limit: str) -> sp.Basic:
-    return sp.Abs(x) < S(limit)
-
-
-def _gates(layout: Layout) -> list[Statement]:
-    """Hold the last input over a missing one; decide what the sample can be used for."""
-    signals = layout.signals
-    read = [("u_now", S("input"), "last_input", "input_limit")]
-    read += [(f"{q.name}_now", q.symbol, f"last_{q.name}", "signal_limit") for q in signals]
-    none = (Assign("usable", sp.Integer(0)), Assign("status", sp.Integer(STATUS["no_measurement"])))
-    return [
-        Assign("usable", sp.Integer(1)),
-        Assign("anew", sp.Integer(0), "1 where the dynamic state starts anew"),
-        Assign("age", S("age") + S("dt")),
-        *(
-            When(
-                _within(given, limit),
-                (Assign(now, given),),
-                (Assign(now, S(last)), *none),
-                "a missing one is held",
-            )
-            for now, given, last, limit in read
-        ),
-        When(_within(S("measured"), "output_limit"), (), none, "no measurement"),
-        When(
-            S("started") < 0.5,
-            (
-                Assign("anew", sp.Integer(1)),
-                Assign("last_input", S("u_now")),
-                *(Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in signals),
-            ),
-            (),
-            "no sample before it could be used",
-        ),
-    ]
-
-
-def _restart(layout: Layout) -> list[Statement]:
-    """After a gap, or while the scales hide the dynamics, nothing is known of the dynamic state."""
-    P = layout.covariance
-    dynamic = range(len(layout.fast) + 1)
-    zero = [Assign(P.target(i, j), sp.Integer(0)) for i in dynamic for j in range(i, P.n)]
-    wide = [Assign(P.target(i, i), S(f"{name}_sd") ** 2) for i, name in enumerate(layout.fast)]
-    w = len(layout.fast)
-    wide.append(Assign(P.target(w, w), S("disturbance_scale") * S("disturbance_floor") ** 2))
-    wide += [Assign(name, sp.Integer(0)) for name in (*layout.fast, *layout.companion, DISTURBANCE)]
-    unheard = [Assign(name, sp.Integer(0)) for name in ("excitation", "excited", "jump", "heard")]
-    unheard.append(Assign("surprise", sp.Integer(1)))
-    half = sp.Rational(1, 2)
-    gap = S("age") > S("gap")
-    again = (Assign("status", sp.Integer(STATUS["restarted"])), Assign("anew", sp.Integer(1)))
-    return [
-        When(sp.And(gap, S("usable") > half), again, (), "the first sample after a gap"),
-        *_hidden(layout),
-        When(sp.Or(gap, S("anew") > half), tuple(unheard), (), "nothing was heard for long"),
-        When(S("anew") > half, (*zero, *wide), (), "nothing is known of them"),
-    ]
-
-
-def _hidden(layout: Layout) -> list[Statement]:
-    """Nothing is measured while the scales hide the dynamics."""
-    replace = {q.symbol: S(f"{q.name}_now") for q in layout.signals}
-    live = sp.sympify(layout.reduction.live).xreplace(replace)
-    if live is sp.true:
-        return []
-    nothing = (
-        Assign("anew", sp.Integer(1)),
-        Assign("started", sp.Integer(0)),
-        Assign("usable", sp.Integer(0)),
-        Assign("status", sp.Integer(STATUS["too_slow"])),
-    )
-    return [When(live, (), nothing, "the dynamics cannot be seen")]
-
-
 def _dynamics(layout: Layout) -> list[Statement]:
     """Rescale by the changed scales, step, propagate the covariance."""
     reduction, groups = layout.reduction, layout.reduction.groups
-    lines = _scales(layout)
+    always, lines = _scales(layout), []
     for name, q in zip(layout.fast, groups.model.states, strict=True):
         ratio = layout.inverted(groups.scale[q.name].xreplace(_before(layout)) / groups.scale[q.name])
         lines.append(Assign(f"ratio_{name}", ratio, "same physical state in the new scales"))
@@ -319,8 +252,11 @@ def _dynamics(layout: Layout) -> list[Statement]:
     ramp = ("u", S("steer_change")) if layout.fine else None
     halves = 2 if layout.fine else 1
     step = implicit_step(rates, fast, parameters=chain, companion=companion, ramp=ramp, halves=halves)
+    ratios = [S(f"ratio_{name}") for name in layout.fast]
+    if layout.lean:
+        return [*always, *lean_dynamics(layout, (*lines, *step.statements), step, ratios)]
     lines += step.statements
-    lines += cov.time_update(layout, step, [S(f"ratio_{name}") for name in layout.fast])
+    lines += cov.time_update(layout, step, ratios)
     lines += [Assign(name, step.after[i]) for i, name in enumerate(layout.fast)]
     if layout.companion:
         lines.append(Assign("follow", sp.Min(1, S("dt") * S("companion_rate"))))
@@ -334,7 +270,11 @@ def _dynamics(layout: Layout) -> list[Statement]:
     for i, name in enumerate(layout.fast if layout.companion else ()):
         own = step.companion_after[i]
         lines.append(Assign(f"{name}_plain", own + S("follow") * (S(name) - own)))
-    return lines
+    return [*always, *lines]
+
+
+def _measurement(layout: Layout) -> list[Statement]:
+    return cov.measurement(layout, further_updates(layout), update=lean_update if layout.lean else None)
 
 
 def _scales(layout: Layout) -> list[Statement]:
@@ -346,46 +286,42 @@ def _scales(layout: Layout) -> list[Statement]:
     least = S("least_scale")
     for q in layout.signals:
         lines.append(Assign(f"at_{q.name}", sp.Max(S(f"{q.name}_now"), least), "kept off zero"))
-        lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), least)))
+        if not layout.lean:
+            lines.append(Assign(f"was_{q.name}", sp.Max(S(f"last_{q.name}"), least)))
     lines += [
         Assign(layout.inverse(q.name).name, 1 / layout.at(q.name)) for q in (*layout.signals, *layout.scales)
     ]
     output = layout.inverted(groups.scale[layout.output.name])
+    span = sp.Piecewise((S("dt"), S("dt") < S("gap")), (0, True))
+    step = S("dt" if layout.lean else "span")
     return [
         *lines,
-        Assign("inv_dt", 1 / S("dt")),
+        *([Assign("held", sp.Min(S("dt"), S("longest")))] if layout.lean else []),
+        Assign("inv_dt", 1 / S("held" if layout.lean else "dt")),
         Assign("output_scale", output, f"{layout.output.name} = scale x dimensionless"),
         Assign("inv_output_scale", layout.inverted(1 / groups.scale[layout.output.name])),
-        Assign(
-            "span",
-            sp.Piecewise((S("dt"), S("dt") < S("gap")), (0, True)),
-            "[s] the dynamics start anew at the end of a gap",
-        ),
-        Assign("h", S("span") * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
+        *([] if layout.lean else [Assign("span", span, "[s] the dynamics start anew at the end of a gap")]),
+        Assign("h", step * layout.inverted(1 / groups.time_scale), "dimensionless time step"),
     ]
 
 
 def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
-    return {q.symbol: S(f"was_{q.name}") for q in layout.signals}
+    was = "last" if layout.lean else "was"
+    return {q.symbol: S(f"{was}_{q.name}") for q in layout.signals}
 
 
 def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
-    lines: list[Statement] = []
-    hit = []
-    moving = layout.moving
-    for name in moving:
-        hit += [S(name) < S(f"{name}_low"), S(name) > S(f"{name}_high")]
-    clip = [Assign(name, sp.Min(sp.Max(S(name), S(f"{name}_low")), S(f"{name}_high"))) for name in moving]
-    at_limit = When(S("usable") > sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
-    lines.append(When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range"))
+    moving = (layout.target,) if layout.lean else layout.moving
+    lines: list[Statement] = [keep_all_within(moving)]
     lines += _handed_out(
         layout,
         Assign("noise_now", S("noise")),
         Assign("disturbance_now", S("disturbance_scale") * S("w_nominal")),
     )
     lines.append(Assign("last_input", S("u_now")))
-    lines += [Assign(f"last_{q.name}", S(f"{q.name}_now")) for q in layout.signals]
+    used = "at_{}" if layout.lean else "{}_now"
+    lines += [Assign(f"last_{q.name}", S(used.format(q.name))) for q in layout.signals]
     lines.append(
         When(
             S("usable") > sp.Rational(1, 2), (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))

@@ -11,6 +11,7 @@ Invariant: there is no second filter; every statement is one of the population f
 from __future__ import annotations
 
 from similitude.estimators.filter_fields import BIAS, Layout
+from similitude.estimators.filter_lean import bounded_once
 from similitude.estimators.population_filter import filter_program
 from similitude.program.ir import Program
 from similitude.reduction import Reduction
@@ -31,5 +32,5 @@ def small_population_filter(reduction: Reduction) -> Program:
     ----------
     docs/embedded.md, "A small filter".
     """
-    layout = Layout(reduction, errors=(BIAS,), monitored=False, followed=False, fine=False)
-    return filter_program(layout, "small_population", "Small population filter")
+    layout = Layout(reduction, errors=(BIAS,), monitored=False, followed=False, fine=False, lean=True)
+    return bounded_once(filter_program(layout, "small_population", "Small population filter"))

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 870 at most, 5 at least (arithmetic, comparisons, selects), init 5.
- * Memory: state 61 reals, configuration 63 reals; no heap, no globals, no libm, C99.
+ * Operations: step 807 at most, 5 at least (arithmetic, comparisons, selects), init 6.
+ * Memory: state 62 reals, configuration 64 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -107,6 +107,7 @@ typedef struct bicycle_small_population_config {
     bicycle_small_population_real inv_telling;       /* [-] 1/information of late in which a jump shows */
     bicycle_small_population_real observed_least;    /* [-] least share of the disturbance taken as observed */
     bicycle_small_population_real outlier_ratio;     /* [-] squared innovation over its variance beyond which it is bounded */
+    bicycle_small_population_real longest;           /* [s] longest time a sample counts for in an average */
     bicycle_small_population_real gap;               /* [s] longest time without a usable sample before a restart */
     bicycle_small_population_real input_limit;       /* [rad] greatest believable delta */
     bicycle_small_population_real output_limit;      /* [rad/s] greatest believable r */
@@ -141,6 +142,7 @@ typedef struct bicycle_small_population_state {
     bicycle_small_population_real last_input;        /* [rad] input of the sample before */
     bicycle_small_population_real last_U;            /* [m/s] forward speed of the sample before */
     bicycle_small_population_real age;               /* [s] time since the last usable sample */
+    bicycle_small_population_real turn;              /* [-] 0: the size of the noise adapts next, 1: the disturbance's */
     bicycle_small_population_real started;           /* [-] 1 once a sample was used; 0 again while the scales hide the dynamics */
 } bicycle_small_population_state;
 
@@ -193,6 +195,7 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     state->surprise = R(1.0);
     state->settling = R(1.0);
     state->disturbance_scale = config->disturbance_scale_start;
+    state->last_U = R(0.0003333333333333333)*config->signal_limit;
     P[15] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
@@ -206,14 +209,14 @@ SIMILITUDE_API void bicycle_small_population_init(const bicycle_small_population
     state->last_input = R(0.0);
     state->age = R(0.0);
     state->started = R(0.0);
-    state->last_U = R(0.0);
+    state->turn = R(0.0);
 }
 
 /* A part of the step: propagate. */
 SIMILITUDE_PART void bicycle_small_population_propagate(
         const bicycle_small_population_config *config,
         bicycle_small_population_state *state,
-        const bicycle_small_population_sample *sample,
+        const bicycle_small_population_real held,
         const bicycle_small_population_real F_v_star_K,
         const bicycle_small_population_real F_v_star_eta,
         const bicycle_small_population_real F_v_star_pi1,
@@ -228,11 +231,10 @@ SIMILITUDE_PART void bicycle_small_population_propagate(
         const bicycle_small_population_real F_r_star_rho,
         const bicycle_small_population_real F_r_star_u,
         const bicycle_small_population_real F_r_star_v_star,
-        const bicycle_small_population_real keep_w,
-        const bicycle_small_population_real w_nominal,
-        const bicycle_small_population_real diffusion)
+        const bicycle_small_population_real w_nominal)
 {
     bicycle_small_population_real *const P = state->P;
+    const bicycle_small_population_real keep_w = R(1.0) - config->disturbance_rate*held;
     const bicycle_small_population_real PW_0 = P[2];
     const bicycle_small_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_pi1*P[4] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
     const bicycle_small_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_pi1*P[4] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
@@ -295,8 +297,7 @@ SIMILITUDE_PART void bicycle_small_population_propagate(
     P[18] = P[18]*keep_w;
     P[19] = P[19]*keep_w;
     P[20] = P[20]*keep_w;
-    P[21] = P[21] + sample->dt*(diffusion + state->jump*config->jump_drift);
-    P[35] = P[35] + config->bias_drift*sample->dt;
+    state->disturbance = state->disturbance*keep_w;
 }
 
 /* A part of the step: correct. */
@@ -305,11 +306,8 @@ SIMILITUDE_PART void bicycle_small_population_correct(
         const bicycle_small_population_real output_scale,
         const bicycle_small_population_real inv_spread,
         const bicycle_small_population_real c_1,
-        const bicycle_small_population_real learn_seldom,
-        const bicycle_small_population_real learn_slow,
         const bicycle_small_population_real c_7,
         const bicycle_small_population_real c_3,
-        const bicycle_small_population_real gain_3,
         const bicycle_small_population_real innovation)
 {
     bicycle_small_population_real *const P = state->P;
@@ -321,9 +319,6 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     const bicycle_small_population_real gain_0 = c_0*inv_spread;
     const bicycle_small_population_real gain_1 = c_1*inv_spread;
     const bicycle_small_population_real gain_2 = c_2*inv_spread;
-    const bicycle_small_population_real gain_4 = c_4*learn_seldom;
-    const bicycle_small_population_real gain_5 = c_5*learn_slow;
-    const bicycle_small_population_real gain_6 = c_6*learn_slow;
     const bicycle_small_population_real gain_7 = c_7*inv_spread;
     P[0] = P[0] - c_0*gain_0;
     P[1] = P[1] - c_1*gain_0;
@@ -346,24 +341,44 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     P[18] = P[18] - c_5*gain_2;
     P[19] = P[19] - c_6*gain_2;
     P[20] = P[20] - c_7*gain_2;
-    P[21] = P[21] - c_3*gain_3;
-    P[22] = P[22] - c_4*gain_3;
-    P[23] = P[23] - c_5*gain_3;
-    P[24] = P[24] - c_6*gain_3;
     P[25] = P[25] - c_3*gain_7;
-    P[26] = P[26] - c_4*gain_4;
-    P[27] = P[27] - c_4*gain_5;
-    P[28] = P[28] - c_4*gain_6;
     P[29] = P[29] - c_4*gain_7;
-    P[30] = P[30] - c_5*gain_5;
-    P[31] = P[31] - c_6*gain_5;
     P[32] = P[32] - c_5*gain_7;
-    P[33] = P[33] - c_6*gain_6;
     P[34] = P[34] - c_6*gain_7;
     P[35] = P[35] - c_7*gain_7;
     state->v_star = state->v_star + gain_0*innovation;
     state->r_star = state->r_star + gain_1*innovation;
     state->disturbance = state->disturbance + gain_2*innovation;
+    state->output_bias = state->output_bias + gain_7*innovation;
+}
+
+/* A part of the step: learn. */
+SIMILITUDE_PART void bicycle_small_population_learn(
+        bicycle_small_population_state *state,
+        const bicycle_small_population_real output_scale,
+        const bicycle_small_population_real learn_seldom,
+        const bicycle_small_population_real learn_slow,
+        const bicycle_small_population_real c_3,
+        const bicycle_small_population_real gain_3,
+        const bicycle_small_population_real innovation)
+{
+    bicycle_small_population_real *const P = state->P;
+    const bicycle_small_population_real c_4 = P[29] + P[11]*output_scale;
+    const bicycle_small_population_real c_5 = P[32] + P[12]*output_scale;
+    const bicycle_small_population_real c_6 = P[34] + P[13]*output_scale;
+    const bicycle_small_population_real gain_4 = c_4*learn_seldom;
+    const bicycle_small_population_real gain_5 = c_5*learn_slow;
+    const bicycle_small_population_real gain_6 = c_6*learn_slow;
+    P[21] = P[21] - c_3*gain_3;
+    P[22] = P[22] - c_4*gain_3;
+    P[23] = P[23] - c_5*gain_3;
+    P[24] = P[24] - c_6*gain_3;
+    P[26] = P[26] - c_4*gain_4;
+    P[27] = P[27] - c_4*gain_5;
+    P[28] = P[28] - c_4*gain_6;
+    P[30] = P[30] - c_5*gain_5;
+    P[31] = P[31] - c_6*gain_5;
+    P[33] = P[33] - c_6*gain_6;
     state->pi1 = state->pi1 + gain_4*innovation;
     const bicycle_small_population_real move_eta = gain_5*innovation;
     const bicycle_small_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
@@ -373,7 +388,6 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     const bicycle_small_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
     const bicycle_small_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
     state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
-    state->output_bias = state->output_bias + gain_7*innovation;
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -383,12 +397,15 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     bicycle_small_population_real *const P = state->P;
     bicycle_small_population_real U_now = R(0.0);
     int anew = 0;
+    bicycle_small_population_real d_r_star = R(0.0);
+    bicycle_small_population_real d_v_star = R(0.0);
     bicycle_small_population_real diffusion = R(0.0);
     bicycle_small_population_real estimate = R(0.0);
     bicycle_small_population_real information_gained = R(0.0);
     bicycle_small_population_real innovation = R(0.0);
     bicycle_small_population_real innovation_variance = R(0.0);
     bicycle_small_population_real inv_spread = R(0.0);
+    bicycle_small_population_real linear = R(0.0);
     bicycle_small_population_real move = R(0.0);
     bicycle_small_population_real predicted = R(0.0);
     int status = 0;
@@ -427,9 +444,11 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->last_input = u_now;
             state->last_U = U_now;
         }
-        if ((state->age > config->gap) && (usable > 0)) { /* the first sample after a gap */
-            status = 5;
+        if (state->age > config->gap) { /* nothing was heard for long */
             anew = 1;
+            if (usable > 0) {
+                status = 5;
+            }
         }
         if (!((R(10.0)*(U_now*U_now) > config->K_prior) && (U_now > R(0.0)))) { /* the dynamics cannot be seen */
             anew = 1;
@@ -437,14 +456,22 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             usable = 0;
             status = 6;
         }
-        if ((anew > 0) || (state->age > config->gap)) { /* nothing was heard for long */
+        const bicycle_small_population_real least_scale = R(0.0003333333333333333)*config->signal_limit;
+        const bicycle_small_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
+        const bicycle_small_population_real inv_U = (R(1.0)/at_U);
+        const bicycle_small_population_real inv_L = (R(1.0)/config->L);
+        const bicycle_small_population_real held = ((sample->dt) < (config->longest) ? sample->dt : config->longest);
+        const bicycle_small_population_real inv_dt = (R(1.0)/held);
+        const bicycle_small_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
+        const bicycle_small_population_real inv_output_scale = config->L*inv_U;
+        const bicycle_small_population_real h = at_U*sample->dt*inv_L; /* dimensionless time step */
+        const bicycle_small_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
+        if (anew > 0) { /* nothing is known of the dynamic state */
             state->excitation = R(0.0);
             state->excited = R(0.0);
             state->jump = R(0.0);
             state->heard = R(0.0);
             state->surprise = R(1.0);
-        }
-        if (anew > 0) { /* nothing is known of them */
             P[0] = R(0.0);
             P[1] = R(0.0);
             P[2] = R(0.0);
@@ -472,94 +499,91 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->v_star = R(0.0);
             state->r_star = R(0.0);
             state->disturbance = R(0.0);
+            d_v_star = R(0.0);
+            d_r_star = R(0.0);
+        } else {
+            const bicycle_small_population_real ratio_v_star = inv_U*state->last_U; /* same physical state in the new scales */
+            state->v_star = ratio_v_star*state->v_star;
+            const bicycle_small_population_real ratio_r_star = inv_U*state->last_U; /* same physical state in the new scales */
+            state->r_star = state->r_star*ratio_r_star;
+            const bicycle_small_population_real steer = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
+            const bicycle_small_population_real u = state->disturbance + steer; /* effective input [-] */
+            const bicycle_small_population_real inv0 = (R(1.0)/state->rho);
+            const bicycle_small_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
+            const bicycle_small_population_real c0 = (-state->r_star);
+            const bicycle_small_population_real c1 = state->pi1*state->r_star;
+            const bicycle_small_population_real c2 = c1 + state->v_star;
+            const bicycle_small_population_real c3 = c0 + c2;
+            const bicycle_small_population_real c4 = c3*state->eta;
+            const bicycle_small_population_real c5 = inv1*state->pi1;
+            const bicycle_small_population_real c6 = c4*c5;
+            const bicycle_small_population_real c7 = u - c1 - state->v_star;
+            const bicycle_small_population_real c8 = state->K*(inv_U*inv_U);
+            const bicycle_small_population_real c9 = c8*(c6 + c7);
+            const bicycle_small_population_real c10 = c4 + c7;
+            const bicycle_small_population_real c11 = c8*inv0;
+            const bicycle_small_population_real c12 = c11*inv1;
+            const bicycle_small_population_real c13 = (-c10*c12);
+            const bicycle_small_population_real c14 = R(0.3333333333333333)*h;
+            const bicycle_small_population_real c15 = state->eta - R(1.0);
+            const bicycle_small_population_real c16 = c4*inv1;
+            const bicycle_small_population_real f_v_star = c0 + c9; /* rate [-] */
+            const bicycle_small_population_real f_r_star = c13; /* rate [-] */
+            const bicycle_small_population_real J_00 = c14*c8*(c5*state->eta - R(1.0));
+            const bicycle_small_population_real J_01 = c14*(c15*c8*state->pi1 - R(1.0));
+            const bicycle_small_population_real J_10 = (-c12*c14*c15);
+            const bicycle_small_population_real J_11 = c11*c14*(inv1*state->pi1 - state->eta);
+            const bicycle_small_population_real f_v_star_K = c9;
+            const bicycle_small_population_real f_r_star_K = c13;
+            const bicycle_small_population_real f_v_star_pi1 = c8*(c3*state->eta*inv1 + state->eta*inv1*state->pi1*state->r_star - state->r_star - c4*state->pi1*(inv1*inv1));
+            const bicycle_small_population_real f_r_star_pi1 = c12*(c16 + state->r_star - state->eta*state->r_star - inv1*(c2 - u));
+            const bicycle_small_population_real f_v_star_eta = c6*c8;
+            const bicycle_small_population_real f_r_star_eta = (-c11*c16);
+            const bicycle_small_population_real f_v_star_rho = R(0.0);
+            const bicycle_small_population_real f_r_star_rho = c10*c12;
+            const bicycle_small_population_real f_v_star_u = c8;
+            const bicycle_small_population_real f_r_star_u = (-c12);
+            const bicycle_small_population_real p0 = J_00*J_11 - J_01*J_10;
+            const bicycle_small_population_real p1 = (-J_00) - J_11;
+            const bicycle_small_population_real n0 = R(1.0) - R(1.5)*p0;
+            const bicycle_small_population_real n1 = (-R(2.0)) - R(1.5)*p1;
+            const bicycle_small_population_real i_det = (R(1.0)/((n0*n0) + p0*(n1*n1) - n0*n1*p1)); /* det N > 0 for every real J */
+            const bicycle_small_population_real i0 = i_det*(n0 - n1*p1);
+            const bicycle_small_population_real i1 = (-i_det*n1);
+            const bicycle_small_population_real m0 = i0 - i1*p0;
+            const bicycle_small_population_real m1 = i0 + i1 - i1*p1;
+            const bicycle_small_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
+            const bicycle_small_population_real M_01 = J_01*m1;
+            const bicycle_small_population_real M_10 = J_10*m1;
+            const bicycle_small_population_real M_11 = m0 + J_11*m1;
+            const bicycle_small_population_real g0 = h*i0 + R(0.5)*h*i1*p0;
+            const bicycle_small_population_real g1 = h*i1 + R(0.5)*h*i1*p1 - R(0.5)*h*i0;
+            const bicycle_small_population_real G_00 = g0 + J_00*g1; /* change per rate */
+            const bicycle_small_population_real G_01 = J_01*g1;
+            const bicycle_small_population_real G_10 = J_10*g1;
+            const bicycle_small_population_real G_11 = g0 + J_11*g1;
+            d_v_star = G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
+            d_r_star = G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
+            const bicycle_small_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
+            const bicycle_small_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
+            const bicycle_small_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
+            const bicycle_small_population_real F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1;
+            const bicycle_small_population_real F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta;
+            const bicycle_small_population_real F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta;
+            const bicycle_small_population_real F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho;
+            const bicycle_small_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
+            const bicycle_small_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
+            const bicycle_small_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
+            const bicycle_small_population_real F_v_star_v_star = M_00*ratio_v_star;
+            const bicycle_small_population_real F_v_star_r_star = M_01*ratio_r_star;
+            const bicycle_small_population_real F_r_star_v_star = M_10*ratio_v_star;
+            const bicycle_small_population_real F_r_star_r_star = M_11*ratio_r_star;
+            bicycle_small_population_propagate(config, state, held, F_v_star_K, F_v_star_eta, F_v_star_pi1, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_pi1, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, w_nominal);
+            state->v_star = d_v_star + state->v_star;
+            state->r_star = d_r_star + state->r_star;
         }
-        const bicycle_small_population_real least_scale = R(0.0003333333333333333)*config->signal_limit;
-        const bicycle_small_population_real at_U = ((U_now) > (least_scale) ? U_now : least_scale); /* kept off zero */
-        const bicycle_small_population_real was_U = ((state->last_U) > (least_scale) ? state->last_U : least_scale);
-        const bicycle_small_population_real inv_U = (R(1.0)/at_U);
-        const bicycle_small_population_real inv_L = (R(1.0)/config->L);
-        const bicycle_small_population_real inv_dt = (R(1.0)/sample->dt);
-        const bicycle_small_population_real output_scale = at_U*inv_L; /* r = scale x dimensionless */
-        const bicycle_small_population_real inv_output_scale = config->L*inv_U;
-        const bicycle_small_population_real span = (sample->dt < config->gap ? sample->dt : R(0.0)); /* [s] the dynamics start anew at the end of a gap */
-        const bicycle_small_population_real h = at_U*inv_L*span; /* dimensionless time step */
-        const bicycle_small_population_real ratio_v_star = inv_U*was_U; /* same physical state in the new scales */
-        state->v_star = ratio_v_star*state->v_star;
-        const bicycle_small_population_real ratio_r_star = inv_U*was_U; /* same physical state in the new scales */
-        state->r_star = state->r_star*ratio_r_star;
-        const bicycle_small_population_real steer = R(0.5)*state->last_input + R(0.5)*u_now; /* mean of the sample's two ends */
-        const bicycle_small_population_real u = state->disturbance + steer; /* effective input [-] */
-        const bicycle_small_population_real inv0 = (R(1.0)/state->rho);
-        const bicycle_small_population_real inv1 = (R(1.0)/(state->pi1 - R(1.0)));
-        const bicycle_small_population_real c0 = (-state->r_star);
-        const bicycle_small_population_real c1 = state->pi1*state->r_star;
-        const bicycle_small_population_real c2 = c1 + state->v_star;
-        const bicycle_small_population_real c3 = c0 + c2;
-        const bicycle_small_population_real c4 = c3*state->eta;
-        const bicycle_small_population_real c5 = inv1*state->pi1;
-        const bicycle_small_population_real c6 = c4*c5;
-        const bicycle_small_population_real c7 = u - c1 - state->v_star;
-        const bicycle_small_population_real c8 = state->K*(inv_U*inv_U);
-        const bicycle_small_population_real c9 = c8*(c6 + c7);
-        const bicycle_small_population_real c10 = c4 + c7;
-        const bicycle_small_population_real c11 = c8*inv0;
-        const bicycle_small_population_real c12 = c11*inv1;
-        const bicycle_small_population_real c13 = (-c10*c12);
-        const bicycle_small_population_real c14 = R(0.3333333333333333)*h;
-        const bicycle_small_population_real c15 = state->eta - R(1.0);
-        const bicycle_small_population_real c16 = c4*inv1;
-        const bicycle_small_population_real f_v_star = c0 + c9; /* rate [-] */
-        const bicycle_small_population_real f_r_star = c13; /* rate [-] */
-        const bicycle_small_population_real J_00 = c14*c8*(c5*state->eta - R(1.0));
-        const bicycle_small_population_real J_01 = c14*(c15*c8*state->pi1 - R(1.0));
-        const bicycle_small_population_real J_10 = (-c12*c14*c15);
-        const bicycle_small_population_real J_11 = c11*c14*(inv1*state->pi1 - state->eta);
-        const bicycle_small_population_real f_v_star_K = c9;
-        const bicycle_small_population_real f_r_star_K = c13;
-        const bicycle_small_population_real f_v_star_pi1 = c8*(c3*state->eta*inv1 + state->eta*inv1*state->pi1*state->r_star - state->r_star - c4*state->pi1*(inv1*inv1));
-        const bicycle_small_population_real f_r_star_pi1 = c12*(c16 + state->r_star - state->eta*state->r_star - inv1*(c2 - u));
-        const bicycle_small_population_real f_v_star_eta = c6*c8;
-        const bicycle_small_population_real f_r_star_eta = (-c11*c16);
-        const bicycle_small_population_real f_v_star_rho = R(0.0);
-        const bicycle_small_population_real f_r_star_rho = c10*c12;
-        const bicycle_small_population_real f_v_star_u = c8;
-        const bicycle_small_population_real f_r_star_u = (-c12);
-        const bicycle_small_population_real p0 = J_00*J_11 - J_01*J_10;
-        const bicycle_small_population_real p1 = (-J_00) - J_11;
-        const bicycle_small_population_real n0 = R(1.0) - R(1.5)*p0;
-        const bicycle_small_population_real n1 = (-R(2.0)) - R(1.5)*p1;
-        const bicycle_small_population_real i_det = (R(1.0)/((n0*n0) + p0*(n1*n1) - n0*n1*p1)); /* det N > 0 for every real J */
-        const bicycle_small_population_real i0 = i_det*(n0 - n1*p1);
-        const bicycle_small_population_real i1 = (-i_det*n1);
-        const bicycle_small_population_real m0 = i0 - i1*p0;
-        const bicycle_small_population_real m1 = i0 + i1 - i1*p1;
-        const bicycle_small_population_real M_00 = m0 + J_00*m1; /* dx+/dx */
-        const bicycle_small_population_real M_01 = J_01*m1;
-        const bicycle_small_population_real M_10 = J_10*m1;
-        const bicycle_small_population_real M_11 = m0 + J_11*m1;
-        const bicycle_small_population_real g0 = h*i0 + R(0.5)*h*i1*p0;
-        const bicycle_small_population_real g1 = h*i1 + R(0.5)*h*i1*p1 - R(0.5)*h*i0;
-        const bicycle_small_population_real G_00 = g0 + J_00*g1; /* change per rate */
-        const bicycle_small_population_real G_01 = J_01*g1;
-        const bicycle_small_population_real G_10 = J_10*g1;
-        const bicycle_small_population_real G_11 = g0 + J_11*g1;
-        const bicycle_small_population_real d_v_star = G_00*f_v_star + G_01*f_r_star; /* change over the step [-] */
-        const bicycle_small_population_real d_r_star = G_10*f_v_star + G_11*f_r_star; /* change over the step [-] */
-        const bicycle_small_population_real F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K;
-        const bicycle_small_population_real F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K;
-        const bicycle_small_population_real F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1;
-        const bicycle_small_population_real F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1;
-        const bicycle_small_population_real F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta;
-        const bicycle_small_population_real F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta;
-        const bicycle_small_population_real F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho;
-        const bicycle_small_population_real F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho;
-        const bicycle_small_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
-        const bicycle_small_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
-        const bicycle_small_population_real keep_w = ((R(0.0)) > (R(1.0) - config->disturbance_rate*sample->dt) ? R(0.0) : R(1.0) - config->disturbance_rate*sample->dt);
-        const bicycle_small_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
-        diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
-        if (state->excited < R(0.5)) { /* nothing heard: it may have changed, and the population is the best guess */
+        if (state->excited < R(0.5)) { /* nothing heard: it may have changed */
             const bicycle_small_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const bicycle_small_population_real keep = R(1.0) - lost;
             diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
@@ -578,22 +602,18 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             const bicycle_small_population_real qq = (q*q);
             const bicycle_small_population_real away = R(2.0)*p*(R(15.0)*qq - R(4.0)*pp)/(q*(R(15.0)*qq - R(9.0)*pp)); /* ln(K/K_prior) */
             move = (-away*lost);
+        } else {
+            diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
         }
-        const bicycle_small_population_real F_v_star_v_star = M_00*ratio_v_star;
-        const bicycle_small_population_real F_v_star_r_star = M_01*ratio_r_star;
-        const bicycle_small_population_real F_r_star_v_star = M_10*ratio_v_star;
-        const bicycle_small_population_real F_r_star_r_star = M_11*ratio_r_star;
-        bicycle_small_population_propagate(config, state, sample, F_v_star_K, F_v_star_eta, F_v_star_pi1, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_pi1, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, w_nominal, diffusion);
-        state->disturbance = state->disturbance*keep_w;
-        state->v_star = d_v_star + state->v_star;
-        state->r_star = d_r_star + state->r_star;
+        P[21] = P[21] + sample->dt*(diffusion + state->jump*config->jump_drift);
+        P[35] = P[35] + config->bias_drift*sample->dt;
         const bicycle_small_population_real response = output_scale*state->r_star; /* output of the model */
         predicted = state->output_bias + response;
         const bicycle_small_population_real output_rate = d_r_star*inv_dt*output_scale;
-        state->activity = state->activity + ((response*response) - state->activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
-        const bicycle_small_population_real noise = state->noise_scale*(config->noise_variance + (output_rate*output_rate)*(config->timing_error*config->timing_error) + state->activity*(config->structure_share*config->structure_share)*((R(1.0)) > (R(2.0)*inv_dt*config->structure_time) ? R(1.0) : R(2.0)*inv_dt*config->structure_time)); /* variance of the measurement */
+        state->activity = state->activity + config->activity_rate*held*((response*response) - state->activity);
+        const bicycle_small_population_real noise = state->noise_scale*(config->noise_variance + (output_rate*output_rate)*(config->timing_error*config->timing_error) + R(2.0)*state->activity*inv_dt*config->structure_time*(config->structure_share*config->structure_share)); /* variance of the measurement */
         const bicycle_small_population_real validity_now = inv_L*state->r_star*(at_U*at_U); /* lateral acceleration */
-        const bicycle_small_population_real validity_then = state->validity*(R(1.0) - ((R(1.0)) < (sample->dt*config->validity_rate) ? R(1.0) : sample->dt*config->validity_rate));
+        const bicycle_small_population_real validity_then = state->validity*(R(1.0) - held*config->validity_rate);
         const bicycle_small_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
         if (usable > 0) { /* measurement */
@@ -607,62 +627,81 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             if (nis > config->outlier_ratio) { /* an outlier counts for less */
                 inv_spread = inv_spread*config->outlier_ratio/nis;
             }
-            const bicycle_small_population_real inv_P = (R(1.0)/P[21]);
-            const bicycle_small_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
-            state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
-            state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
-            const bicycle_small_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
             const bicycle_small_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
-            state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
-            const bicycle_small_population_real learn = state->excited*inv_spread;
-            state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
+            linear = R(1.0); /* 1 in the model's linear range */
+            if (state->validity >= (config->validity_limit*config->validity_limit)) {
+                linear = R(0.0);
+                if (status < 2) {
+                    status = 2;
+                }
+            }
+            state->surprise = state->surprise + held*config->surprise_rate*(R(1.0) + linear*odd - state->surprise); /* recent mean of the normalised innovation squared */
             const bicycle_small_population_real above = state->surprise - R(1.0);
-            state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
+            state->restlessness = state->restlessness + held*config->noise_adapt*((above*above) - state->restlessness);
             const bicycle_small_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
             state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
-            const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? learn : R(0.0)); /* a jump is not blamed on what cannot jump */
-            state->unlearnt = sample->dt + state->unlearnt;
-            const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
-            if (learn_seldom > R(0.0)) {
-                state->unlearnt = R(0.0);
+            const bicycle_small_population_real inv_P = (R(1.0)/P[21]);
+            const bicycle_small_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
+            state->heard = state->heard*(R(1.0) - config->heard_rate*held) + inv_spread*(sensitivity*sensitivity); /* information of late */
+            if (state->excited > R(0.5)) { /* heard of the sample before */
+                const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? inv_spread : R(0.0)); /* a jump is not blamed on what cannot jump */
+                state->unlearnt = sample->dt + state->unlearnt;
+                const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
+                if (learn_seldom > R(0.0)) {
+                    state->unlearnt = R(0.0);
+                }
+                const bicycle_small_population_real gain_3 = c_3*inv_spread;
+                const bicycle_small_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
+                state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
+                move = move + gain_3*innovation;
+                bicycle_small_population_learn(state, output_scale, learn_seldom, learn_slow, c_3, gain_3, innovation);
+                if ((state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+                    state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
+                    state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
+                    state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
+                    if (usable > 0) {
+                        status = 3;
+                    }
+                }
             }
-            const bicycle_small_population_real gain_3 = c_3*learn;
-            const bicycle_small_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
-            state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
-            move = move + gain_3*innovation;
-            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_7, c_3, gain_3, innovation);
-            state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
-            const bicycle_small_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
-            state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
-            state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
-            state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
-            const bicycle_small_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
-            const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[15] + (state->disturbance*state->disturbance)); /* and seen */
-            const bicycle_small_population_real unseen = ((expected*config->observed_least) > (expected - P[15]) ? expected*config->observed_least : expected - P[15]);
-            state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
-            state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
-            state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
-            if ((state->excited < R(0.5)) && (status < 1)) {
-                status = 1;
+            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, c_7, c_3, innovation);
+            state->excitation = state->excitation + config->excitation_rate*held*((sensitivity*sensitivity) - state->excitation);
+            if (state->excitation > config->excitation_ratio*noise) {
+                state->excited = R(1.0);
+            } else {
+                state->excited = R(0.0);
+                if (status < 1) {
+                    status = 1;
+                }
             }
-            if ((state->validity > (config->validity_limit*config->validity_limit)) && (status < 2)) {
-                status = 2;
+            if (state->turn < R(0.5)) { /* one for two samples */
+                state->settling = ((config->noise_adapt) > (state->settling - R(2.0)*sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - R(2.0)*sample->dt*(state->settling*state->settling)); /* 1/time at first */
+                const bicycle_small_population_real noise_change = odd*((R(0.05)) < (R(2.0)*sample->dt*state->settling) ? R(0.05) : R(2.0)*sample->dt*state->settling);
+                state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
+                state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
+                state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
+                state->turn = R(1.0);
+            } else {
+                const bicycle_small_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
+                const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[15] + (state->disturbance*state->disturbance)); /* and seen */
+                const bicycle_small_population_real unseen = ((expected*config->observed_least) > (expected - P[15]) ? expected*config->observed_least : expected - P[15]);
+                state->disturbance_scale = state->disturbance_scale + R(2.0)*config->disturbance_adapt*state->disturbance_scale*held*(seen - expected)/unseen;
+                state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
+                state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
+                state->turn = R(0.0);
             }
         }
         const bicycle_small_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_small_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+        if ((state->K < config->K_low) || (state->K > config->K_high)) { /* prior +- its allowed range */
             state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
-            state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
-            state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
-            state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             if (usable > 0) {
                 status = 3;
             }
         }
         state->last_input = u_now;
-        state->last_U = U_now;
+        state->last_U = at_U;
         if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_small_population'
-OPERATIONS = 870
+OPERATIONS = 807
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'output_bias')
 
@@ -62,6 +62,7 @@ CONFIG = (
     ('inv_telling', '-', '1/information of late in which a jump shows', 1),
     ('observed_least', '-', 'least share of the disturbance taken as observed', 1),
     ('outlier_ratio', '-', 'squared innovation over its variance beyond which it is bounded', 1),
+    ('longest', 's', 'longest time a sample counts for in an average', 1),
     ('gap', 's', 'longest time without a usable sample before a restart', 1),
     ('input_limit', 'rad', 'greatest believable delta', 1),
     ('output_limit', 'rad/s', 'greatest believable r', 1),
@@ -96,6 +97,7 @@ STATE = (
     ('last_input', 'rad', 'input of the sample before', 1),
     ('last_U', 'm/s', 'forward speed of the sample before', 1),
     ('age', 's', 'time since the last usable sample', 1),
+    ('turn', '-', "0: the size of the noise adapts next, 1: the disturbance's", 1),
     ('started', '-', '1 once a sample was used; 0 again while the scales hide the dynamics', 1),
 )
 
@@ -137,6 +139,7 @@ def init(config):
     r_star_sd = config[26]
     disturbance_floor = config[36]
     disturbance_scale_start = config[40]
+    signal_limit = config[61]
     v_star = 0.0
     r_star = 0.0
     disturbance = 0.0
@@ -198,6 +201,7 @@ def init(config):
     surprise = 1.0
     settling = 1.0
     disturbance_scale = disturbance_scale_start
+    last_U = 0.0003333333333333333*signal_limit
     P_15 = disturbance_scale*(disturbance_floor*disturbance_floor)
     restlessness = 0.0
     jump = 0.0
@@ -211,8 +215,8 @@ def init(config):
     last_input = 0.0
     age = 0.0
     started = 0.0
-    last_U = 0.0
-    return [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    turn = 0.0
+    return [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, turn, started]
 
 
 def step(config, state, sample):
@@ -259,12 +263,13 @@ def step(config, state, sample):
     inv_telling = config[54]
     observed_least = config[55]
     outlier_ratio = config[56]
-    gap = config[57]
-    input_limit = config[58]
-    output_limit = config[59]
-    signal_limit = config[60]
-    validity_limit = config[61]
-    validity_rate = config[62]
+    longest = config[57]
+    gap = config[58]
+    input_limit = config[59]
+    output_limit = config[60]
+    signal_limit = config[61]
+    validity_limit = config[62]
+    validity_rate = config[63]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -329,15 +334,19 @@ def step(config, state, sample):
     last_input = state[57]
     last_U = state[58]
     age = state[59]
-    started = state[60]
+    turn = state[60]
+    started = state[61]
     U_now = 0.0
     anew = 0.0
+    d_r_star = 0.0
+    d_v_star = 0.0
     diffusion = 0.0
     estimate = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
     inv_spread = 0.0
+    linear = 0.0
     move = 0.0
     predicted = 0.0
     status = 0.0
@@ -373,9 +382,10 @@ def step(config, state, sample):
             anew = 1.0
             last_input = u_now
             last_U = U_now
-        if (age > gap) and (usable > 0.5):  # the first sample after a gap
-            status = 5.0
+        if age > gap:  # nothing was heard for long
             anew = 1.0
+            if usable > 0.5:
+                status = 5.0
         if (10.0*(U_now*U_now) > K_prior) and (U_now > 0.0):  # the dynamics cannot be seen
             pass
         else:
@@ -383,13 +393,22 @@ def step(config, state, sample):
             started = 0.0
             usable = 0.0
             status = 6.0
-        if (age > gap) or (anew > 0.5):  # nothing was heard for long
+        least_scale = 0.0003333333333333333*signal_limit
+        at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
+        inv_U = (1.0/at_U)
+        inv_L = (1.0/L)
+        held = (dt if (dt) < (longest) else longest)
+        inv_dt = (1.0/held)
+        output_scale = at_U*inv_L  # r = scale x dimensionless
+        inv_output_scale = L*inv_U
+        h = at_U*dt*inv_L  # dimensionless time step
+        w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale)  # nominal variance of the disturbance
+        if anew > 0.5:  # nothing is known of the dynamic state
             excitation = 0.0
             excited = 0.0
             jump = 0.0
             heard = 0.0
             surprise = 1.0
-        if anew > 0.5:  # nothing is known of them
             P_0 = 0.0
             P_1 = 0.0
             P_2 = 0.0
@@ -417,93 +436,153 @@ def step(config, state, sample):
             v_star = 0.0
             r_star = 0.0
             disturbance = 0.0
-        least_scale = 0.0003333333333333333*signal_limit
-        at_U = (U_now if (U_now) > (least_scale) else least_scale)  # kept off zero
-        was_U = (last_U if (last_U) > (least_scale) else least_scale)
-        inv_U = (1.0/at_U)
-        inv_L = (1.0/L)
-        inv_dt = (1.0/dt)
-        output_scale = at_U*inv_L  # r = scale x dimensionless
-        inv_output_scale = L*inv_U
-        span = (dt if dt < gap else 0.0)  # [s] the dynamics start anew at the end of a gap
-        h = at_U*inv_L*span  # dimensionless time step
-        ratio_v_star = inv_U*was_U  # same physical state in the new scales
-        v_star = ratio_v_star*v_star
-        ratio_r_star = inv_U*was_U  # same physical state in the new scales
-        r_star = r_star*ratio_r_star
-        steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
-        u = disturbance + steer  # effective input [-]
-        inv0 = (1.0/rho)
-        inv1 = (1.0/(pi1 - 1.0))
-        c0 = (-r_star)
-        c1 = pi1*r_star
-        c2 = c1 + v_star
-        c3 = c0 + c2
-        c4 = c3*eta
-        c5 = inv1*pi1
-        c6 = c4*c5
-        c7 = u - c1 - v_star
-        c8 = K*(inv_U*inv_U)
-        c9 = c8*(c6 + c7)
-        c10 = c4 + c7
-        c11 = c8*inv0
-        c12 = c11*inv1
-        c13 = (-c10*c12)
-        c14 = 0.3333333333333333*h
-        c15 = eta - 1.0
-        c16 = c4*inv1
-        f_v_star = c0 + c9  # rate [-]
-        f_r_star = c13  # rate [-]
-        J_00 = c14*c8*(c5*eta - 1.0)
-        J_01 = c14*(c15*c8*pi1 - 1.0)
-        J_10 = (-c12*c14*c15)
-        J_11 = c11*c14*(inv1*pi1 - eta)
-        f_v_star_K = c9
-        f_r_star_K = c13
-        f_v_star_pi1 = c8*(c3*eta*inv1 + eta*inv1*pi1*r_star - r_star - c4*pi1*(inv1*inv1))
-        f_r_star_pi1 = c12*(c16 + r_star - eta*r_star - inv1*(c2 - u))
-        f_v_star_eta = c6*c8
-        f_r_star_eta = (-c11*c16)
-        f_v_star_rho = 0.0
-        f_r_star_rho = c10*c12
-        f_v_star_u = c8
-        f_r_star_u = (-c12)
-        p0 = J_00*J_11 - J_01*J_10
-        p1 = (-J_00) - J_11
-        n0 = 1.0 - 1.5*p0
-        n1 = (-2.0) - 1.5*p1
-        i_det = (1.0/((n0*n0) + p0*(n1*n1) - n0*n1*p1))  # det N > 0 for every real J
-        i0 = i_det*(n0 - n1*p1)
-        i1 = (-i_det*n1)
-        m0 = i0 - i1*p0
-        m1 = i0 + i1 - i1*p1
-        M_00 = m0 + J_00*m1  # dx+/dx
-        M_01 = J_01*m1
-        M_10 = J_10*m1
-        M_11 = m0 + J_11*m1
-        g0 = h*i0 + 0.5*h*i1*p0
-        g1 = h*i1 + 0.5*h*i1*p1 - 0.5*h*i0
-        G_00 = g0 + J_00*g1  # change per rate
-        G_01 = J_01*g1
-        G_10 = J_10*g1
-        G_11 = g0 + J_11*g1
-        d_v_star = G_00*f_v_star + G_01*f_r_star  # change over the step [-]
-        d_r_star = G_10*f_v_star + G_11*f_r_star  # change over the step [-]
-        F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
-        F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
-        F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1
-        F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1
-        F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta
-        F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta
-        F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho
-        F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho
-        F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u
-        F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u
-        keep_w = (0.0 if (0.0) > (1.0 - disturbance_rate*dt) else 1.0 - disturbance_rate*dt)
-        w_nominal = (disturbance_floor*disturbance_floor) + activity*(disturbance_share*disturbance_share)*(inv_output_scale*inv_output_scale)  # nominal variance of the disturbance
+            d_v_star = 0.0
+            d_r_star = 0.0
+        else:
+            ratio_v_star = inv_U*last_U  # same physical state in the new scales
+            v_star = ratio_v_star*v_star
+            ratio_r_star = inv_U*last_U  # same physical state in the new scales
+            r_star = r_star*ratio_r_star
+            steer = 0.5*last_input + 0.5*u_now  # mean of the sample's two ends
+            u = disturbance + steer  # effective input [-]
+            inv0 = (1.0/rho)
+            inv1 = (1.0/(pi1 - 1.0))
+            c0 = (-r_star)
+            c1 = pi1*r_star
+            c2 = c1 + v_star
+            c3 = c0 + c2
+            c4 = c3*eta
+            c5 = inv1*pi1
+            c6 = c4*c5
+            c7 = u - c1 - v_star
+            c8 = K*(inv_U*inv_U)
+            c9 = c8*(c6 + c7)
+            c10 = c4 + c7
+            c11 = c8*inv0
+            c12 = c11*inv1
+            c13 = (-c10*c12)
+            c14 = 0.3333333333333333*h
+            c15 = eta - 1.0
+            c16 = c4*inv1
+            f_v_star = c0 + c9  # rate [-]
+            f_r_star = c13  # rate [-]
+            J_00 = c14*c8*(c5*eta - 1.0)
+            J_01 = c14*(c15*c8*pi1 - 1.0)
+            J_10 = (-c12*c14*c15)
+            J_11 = c11*c14*(inv1*pi1 - eta)
+            f_v_star_K = c9
+            f_r_star_K = c13
+            f_v_star_pi1 = c8*(c3*eta*inv1 + eta*inv1*pi1*r_star - r_star - c4*pi1*(inv1*inv1))
+            f_r_star_pi1 = c12*(c16 + r_star - eta*r_star - inv1*(c2 - u))
+            f_v_star_eta = c6*c8
+            f_r_star_eta = (-c11*c16)
+            f_v_star_rho = 0.0
+            f_r_star_rho = c10*c12
+            f_v_star_u = c8
+            f_r_star_u = (-c12)
+            p0 = J_00*J_11 - J_01*J_10
+            p1 = (-J_00) - J_11
+            n0 = 1.0 - 1.5*p0
+            n1 = (-2.0) - 1.5*p1
+            i_det = (1.0/((n0*n0) + p0*(n1*n1) - n0*n1*p1))  # det N > 0 for every real J
+            i0 = i_det*(n0 - n1*p1)
+            i1 = (-i_det*n1)
+            m0 = i0 - i1*p0
+            m1 = i0 + i1 - i1*p1
+            M_00 = m0 + J_00*m1  # dx+/dx
+            M_01 = J_01*m1
+            M_10 = J_10*m1
+            M_11 = m0 + J_11*m1
+            g0 = h*i0 + 0.5*h*i1*p0
+            g1 = h*i1 + 0.5*h*i1*p1 - 0.5*h*i0
+            G_00 = g0 + J_00*g1  # change per rate
+            G_01 = J_01*g1
+            G_10 = J_10*g1
+            G_11 = g0 + J_11*g1
+            d_v_star = G_00*f_v_star + G_01*f_r_star  # change over the step [-]
+            d_r_star = G_10*f_v_star + G_11*f_r_star  # change over the step [-]
+            F_v_star_K = G_00*f_v_star_K + G_01*f_r_star_K
+            F_r_star_K = G_10*f_v_star_K + G_11*f_r_star_K
+            F_v_star_pi1 = G_00*f_v_star_pi1 + G_01*f_r_star_pi1
+            F_r_star_pi1 = G_10*f_v_star_pi1 + G_11*f_r_star_pi1
+            F_v_star_eta = G_00*f_v_star_eta + G_01*f_r_star_eta
+            F_r_star_eta = G_10*f_v_star_eta + G_11*f_r_star_eta
+            F_v_star_rho = G_00*f_v_star_rho + G_01*f_r_star_rho
+            F_r_star_rho = G_10*f_v_star_rho + G_11*f_r_star_rho
+            F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u
+            F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u
+            F_v_star_v_star = M_00*ratio_v_star
+            F_v_star_r_star = M_01*ratio_r_star
+            F_r_star_v_star = M_10*ratio_v_star
+            F_r_star_r_star = M_11*ratio_r_star
+            keep_w = 1.0 - disturbance_rate*held
+            PW_0 = P_2
+            FP_0_0 = F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
+            FP_1_0 = F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
+            PW_1 = P_9
+            FP_0_1 = F_v_star_K*P_10 + F_v_star_eta*P_12 + F_v_star_pi1*P_11 + F_v_star_r_star*P_8 + F_v_star_rho*P_13 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
+            FP_1_1 = F_r_star_K*P_10 + F_r_star_eta*P_12 + F_r_star_pi1*P_11 + F_r_star_r_star*P_8 + F_r_star_rho*P_13 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
+            P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star
+            P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star
+            P_8 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star
+            PW_2 = P_15
+            FP_0_2 = F_v_star_K*P_16 + F_v_star_eta*P_18 + F_v_star_pi1*P_17 + F_v_star_r_star*P_9 + F_v_star_rho*P_19 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
+            FP_1_2 = F_r_star_K*P_16 + F_r_star_eta*P_18 + F_r_star_pi1*P_17 + F_r_star_r_star*P_9 + F_r_star_rho*P_19 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
+            P_2 = FP_0_2*keep_w
+            P_9 = FP_1_2*keep_w
+            PW_3 = P_16
+            FP_0_3 = F_v_star_K*P_21 + F_v_star_eta*P_23 + F_v_star_pi1*P_22 + F_v_star_r_star*P_10 + F_v_star_rho*P_24 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
+            FP_1_3 = F_r_star_K*P_21 + F_r_star_eta*P_23 + F_r_star_pi1*P_22 + F_r_star_r_star*P_10 + F_r_star_rho*P_24 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
+            P_3 = FP_0_3
+            P_10 = FP_1_3
+            P_0 = P_0 + FP_0_3*F_v_star_K
+            P_1 = P_1 + FP_0_3*F_r_star_K
+            P_8 = P_8 + FP_1_3*F_r_star_K
+            PW_4 = P_17
+            FP_0_4 = F_v_star_K*P_22 + F_v_star_eta*P_27 + F_v_star_pi1*P_26 + F_v_star_r_star*P_11 + F_v_star_rho*P_28 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
+            FP_1_4 = F_r_star_K*P_22 + F_r_star_eta*P_27 + F_r_star_pi1*P_26 + F_r_star_r_star*P_11 + F_r_star_rho*P_28 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
+            P_4 = FP_0_4
+            P_11 = FP_1_4
+            P_0 = P_0 + FP_0_4*F_v_star_pi1
+            P_1 = P_1 + FP_0_4*F_r_star_pi1
+            P_8 = P_8 + FP_1_4*F_r_star_pi1
+            PW_5 = P_18
+            FP_0_5 = F_v_star_K*P_23 + F_v_star_eta*P_30 + F_v_star_pi1*P_27 + F_v_star_r_star*P_12 + F_v_star_rho*P_31 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
+            FP_1_5 = F_r_star_K*P_23 + F_r_star_eta*P_30 + F_r_star_pi1*P_27 + F_r_star_r_star*P_12 + F_r_star_rho*P_31 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
+            P_5 = FP_0_5
+            P_12 = FP_1_5
+            P_0 = P_0 + FP_0_5*F_v_star_eta
+            P_1 = P_1 + FP_0_5*F_r_star_eta
+            P_8 = P_8 + FP_1_5*F_r_star_eta
+            PW_6 = P_19
+            FP_0_6 = F_v_star_K*P_24 + F_v_star_eta*P_31 + F_v_star_pi1*P_28 + F_v_star_r_star*P_13 + F_v_star_rho*P_33 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
+            FP_1_6 = F_r_star_K*P_24 + F_r_star_eta*P_31 + F_r_star_pi1*P_28 + F_r_star_r_star*P_13 + F_r_star_rho*P_33 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
+            P_6 = FP_0_6
+            P_13 = FP_1_6
+            P_0 = P_0 + FP_0_6*F_v_star_rho
+            P_1 = P_1 + FP_0_6*F_r_star_rho
+            P_8 = P_8 + FP_1_6*F_r_star_rho
+            PW_7 = P_20
+            FP_0_7 = F_v_star_K*P_25 + F_v_star_eta*P_32 + F_v_star_pi1*P_29 + F_v_star_r_star*P_14 + F_v_star_rho*P_34 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
+            FP_1_7 = F_r_star_K*P_25 + F_r_star_eta*P_32 + F_r_star_pi1*P_29 + F_r_star_r_star*P_14 + F_r_star_rho*P_34 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
+            P_7 = FP_0_7
+            P_14 = FP_1_7
+            WPF_0 = FP_0_2
+            WPF_1 = FP_1_2
+            P_0 = P_0 + F_v_star_u*WPF_0
+            P_1 = P_1 + F_r_star_u*WPF_0
+            P_8 = P_8 + F_r_star_u*WPF_1
+            P_15 = P_15*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
+            P_16 = P_16*keep_w
+            P_17 = P_17*keep_w
+            P_18 = P_18*keep_w
+            P_19 = P_19*keep_w
+            P_20 = P_20*keep_w
+            disturbance = disturbance*keep_w
+            v_star = d_v_star + v_star
+            r_star = d_r_star + r_star
         move = 0.0
-        diffusion = drift + faint_drift*(0.0 if (0.0) > (1.0 - heard*inv_telling) else 1.0 - heard*inv_telling)  # a jump that could not have shown may have come
-        if excited < 0.5:  # nothing heard: it may have changed, and the population is the best guess
+        if excited < 0.5:  # nothing heard: it may have changed
             lost = (1.0 if (1.0) < (0.5*dt*idle_drift*prior_information) else 0.5*dt*idle_drift*prior_information)
             keep = 1.0 - lost
             diffusion = lost*(1.0 + keep)/(dt*prior_information)  # for long: the prior variance
@@ -522,84 +601,17 @@ def step(config, state, sample):
             qq = (q*q)
             away = 2.0*p*(15.0*qq - 4.0*pp)/(q*(15.0*qq - 9.0*pp))  # ln(K/K_prior)
             move = (-away*lost)
-        F_v_star_v_star = M_00*ratio_v_star
-        F_v_star_r_star = M_01*ratio_r_star
-        F_r_star_v_star = M_10*ratio_v_star
-        F_r_star_r_star = M_11*ratio_r_star
-        PW_0 = P_2
-        FP_0_0 = F_v_star_K*P_3 + F_v_star_eta*P_5 + F_v_star_pi1*P_4 + F_v_star_r_star*P_1 + F_v_star_rho*P_6 + F_v_star_u*PW_0 + F_v_star_v_star*P_0
-        FP_1_0 = F_r_star_K*P_3 + F_r_star_eta*P_5 + F_r_star_pi1*P_4 + F_r_star_r_star*P_1 + F_r_star_rho*P_6 + F_r_star_u*PW_0 + F_r_star_v_star*P_0
-        PW_1 = P_9
-        FP_0_1 = F_v_star_K*P_10 + F_v_star_eta*P_12 + F_v_star_pi1*P_11 + F_v_star_r_star*P_8 + F_v_star_rho*P_13 + F_v_star_u*PW_1 + F_v_star_v_star*P_1
-        FP_1_1 = F_r_star_K*P_10 + F_r_star_eta*P_12 + F_r_star_pi1*P_11 + F_r_star_r_star*P_8 + F_r_star_rho*P_13 + F_r_star_u*PW_1 + F_r_star_v_star*P_1
-        P_0 = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star
-        P_1 = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star
-        P_8 = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star
-        PW_2 = P_15
-        FP_0_2 = F_v_star_K*P_16 + F_v_star_eta*P_18 + F_v_star_pi1*P_17 + F_v_star_r_star*P_9 + F_v_star_rho*P_19 + F_v_star_u*PW_2 + F_v_star_v_star*P_2
-        FP_1_2 = F_r_star_K*P_16 + F_r_star_eta*P_18 + F_r_star_pi1*P_17 + F_r_star_r_star*P_9 + F_r_star_rho*P_19 + F_r_star_u*PW_2 + F_r_star_v_star*P_2
-        P_2 = FP_0_2*keep_w
-        P_9 = FP_1_2*keep_w
-        PW_3 = P_16
-        FP_0_3 = F_v_star_K*P_21 + F_v_star_eta*P_23 + F_v_star_pi1*P_22 + F_v_star_r_star*P_10 + F_v_star_rho*P_24 + F_v_star_u*PW_3 + F_v_star_v_star*P_3
-        FP_1_3 = F_r_star_K*P_21 + F_r_star_eta*P_23 + F_r_star_pi1*P_22 + F_r_star_r_star*P_10 + F_r_star_rho*P_24 + F_r_star_u*PW_3 + F_r_star_v_star*P_3
-        P_3 = FP_0_3
-        P_10 = FP_1_3
-        P_0 = P_0 + FP_0_3*F_v_star_K
-        P_1 = P_1 + FP_0_3*F_r_star_K
-        P_8 = P_8 + FP_1_3*F_r_star_K
-        PW_4 = P_17
-        FP_0_4 = F_v_star_K*P_22 + F_v_star_eta*P_27 + F_v_star_pi1*P_26 + F_v_star_r_star*P_11 + F_v_star_rho*P_28 + F_v_star_u*PW_4 + F_v_star_v_star*P_4
-        FP_1_4 = F_r_star_K*P_22 + F_r_star_eta*P_27 + F_r_star_pi1*P_26 + F_r_star_r_star*P_11 + F_r_star_rho*P_28 + F_r_star_u*PW_4 + F_r_star_v_star*P_4
-        P_4 = FP_0_4
-        P_11 = FP_1_4
-        P_0 = P_0 + FP_0_4*F_v_star_pi1
-        P_1 = P_1 + FP_0_4*F_r_star_pi1
-        P_8 = P_8 + FP_1_4*F_r_star_pi1
-        PW_5 = P_18
-        FP_0_5 = F_v_star_K*P_23 + F_v_star_eta*P_30 + F_v_star_pi1*P_27 + F_v_star_r_star*P_12 + F_v_star_rho*P_31 + F_v_star_u*PW_5 + F_v_star_v_star*P_5
-        FP_1_5 = F_r_star_K*P_23 + F_r_star_eta*P_30 + F_r_star_pi1*P_27 + F_r_star_r_star*P_12 + F_r_star_rho*P_31 + F_r_star_u*PW_5 + F_r_star_v_star*P_5
-        P_5 = FP_0_5
-        P_12 = FP_1_5
-        P_0 = P_0 + FP_0_5*F_v_star_eta
-        P_1 = P_1 + FP_0_5*F_r_star_eta
-        P_8 = P_8 + FP_1_5*F_r_star_eta
-        PW_6 = P_19
-        FP_0_6 = F_v_star_K*P_24 + F_v_star_eta*P_31 + F_v_star_pi1*P_28 + F_v_star_r_star*P_13 + F_v_star_rho*P_33 + F_v_star_u*PW_6 + F_v_star_v_star*P_6
-        FP_1_6 = F_r_star_K*P_24 + F_r_star_eta*P_31 + F_r_star_pi1*P_28 + F_r_star_r_star*P_13 + F_r_star_rho*P_33 + F_r_star_u*PW_6 + F_r_star_v_star*P_6
-        P_6 = FP_0_6
-        P_13 = FP_1_6
-        P_0 = P_0 + FP_0_6*F_v_star_rho
-        P_1 = P_1 + FP_0_6*F_r_star_rho
-        P_8 = P_8 + FP_1_6*F_r_star_rho
-        PW_7 = P_20
-        FP_0_7 = F_v_star_K*P_25 + F_v_star_eta*P_32 + F_v_star_pi1*P_29 + F_v_star_r_star*P_14 + F_v_star_rho*P_34 + F_v_star_u*PW_7 + F_v_star_v_star*P_7
-        FP_1_7 = F_r_star_K*P_25 + F_r_star_eta*P_32 + F_r_star_pi1*P_29 + F_r_star_r_star*P_14 + F_r_star_rho*P_34 + F_r_star_u*PW_7 + F_r_star_v_star*P_7
-        P_7 = FP_0_7
-        P_14 = FP_1_7
-        WPF_0 = FP_0_2
-        WPF_1 = FP_1_2
-        P_0 = P_0 + F_v_star_u*WPF_0
-        P_1 = P_1 + F_r_star_u*WPF_0
-        P_8 = P_8 + F_r_star_u*WPF_1
-        P_15 = P_15*(keep_w*keep_w) + disturbance_scale*w_nominal*(1.0 - (keep_w*keep_w))
-        P_16 = P_16*keep_w
-        P_17 = P_17*keep_w
-        P_18 = P_18*keep_w
-        P_19 = P_19*keep_w
-        P_20 = P_20*keep_w
+        else:
+            diffusion = drift + faint_drift*(0.0 if (0.0) > (1.0 - heard*inv_telling) else 1.0 - heard*inv_telling)  # a jump that could not have shown may have come
         P_21 = P_21 + dt*(diffusion + jump*jump_drift)
         P_35 = P_35 + bias_drift*dt
-        disturbance = disturbance*keep_w
-        v_star = d_v_star + v_star
-        r_star = d_r_star + r_star
         response = output_scale*r_star  # output of the model
         predicted = output_bias + response
         output_rate = d_r_star*inv_dt*output_scale
-        activity = activity + ((response*response) - activity)*(1.0 if (1.0) < (activity_rate*dt) else activity_rate*dt)
-        noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + activity*(structure_share*structure_share)*(1.0 if (1.0) > (2.0*inv_dt*structure_time) else 2.0*inv_dt*structure_time))  # variance of the measurement
+        activity = activity + activity_rate*held*((response*response) - activity)
+        noise = noise_scale*(noise_variance + (output_rate*output_rate)*(timing_error*timing_error) + 2.0*activity*inv_dt*structure_time*(structure_share*structure_share))  # variance of the measurement
         validity_now = inv_L*r_star*(at_U*at_U)  # lateral acceleration
-        validity_then = validity*(1.0 - (1.0 if (1.0) < (dt*validity_rate) else dt*validity_rate))
+        validity_then = validity*(1.0 - held*validity_rate)
         validity_square = (validity_now*validity_now)
         validity = (validity_square if (validity_square) > (validity_then) else validity_then)
         if usable > 0.5:  # measurement
@@ -612,28 +624,61 @@ def step(config, state, sample):
             nis = inv_spread*(innovation*innovation)  # normalised innovation squared
             if nis > outlier_ratio:  # an outlier counts for less
                 inv_spread = inv_spread*outlier_ratio/nis
-            inv_P = (1.0/P_21)
-            sensitivity = c_3*inv_P  # of the output to ln K
-            excitation = excitation + ((sensitivity*sensitivity) - excitation)*(1.0 if (1.0) < (dt*excitation_rate) else dt*excitation_rate)
-            excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
-            linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
-            surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
-            learn = excited*inv_spread
-            heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
+            linear = 1.0  # 1 in the model's linear range
+            if validity >= (validity_limit*validity_limit):
+                linear = 0.0
+                if status < 1.5:
+                    status = 2.0
+            surprise = surprise + held*surprise_rate*(1.0 + linear*odd - surprise)  # recent mean of the normalised innovation squared
             above = surprise - 1.0
-            restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
+            restlessness = restlessness + held*noise_adapt*((above*above) - restlessness)
             rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
             jump = (0.0 if (0.0) > (rise) else rise)
-            learn_slow = (learn if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
-            unlearnt = dt + unlearnt
-            learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
-            if learn_seldom > 0.0:
-                unlearnt = 0.0
-            gain_3 = c_3*learn
-            gained = c_3*gain_3*inv_P  # share of the variance removed
-            information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
-            move = move + gain_3*innovation
+            inv_P = (1.0/P_21)
+            sensitivity = c_3*inv_P  # of the output to ln K
+            heard = heard*(1.0 - heard_rate*held) + inv_spread*(sensitivity*sensitivity)  # information of late
+            if excited > 0.5:  # heard of the sample before
+                learn_slow = (inv_spread if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
+                unlearnt = dt + unlearnt
+                learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
+                if learn_seldom > 0.0:
+                    unlearnt = 0.0
+                gain_3 = c_3*inv_spread
+                gained = c_3*gain_3*inv_P  # share of the variance removed
+                information = information + gained*inv_P*(1.0 + gained)  # 1/variance gained
+                move = move + gain_3*innovation
+                c_4 = P_29 + P_11*output_scale
+                c_5 = P_32 + P_12*output_scale
+                c_6 = P_34 + P_13*output_scale
+                gain_4 = c_4*learn_seldom
+                gain_5 = c_5*learn_slow
+                gain_6 = c_6*learn_slow
+                P_21 = P_21 - c_3*gain_3
+                P_22 = P_22 - c_4*gain_3
+                P_23 = P_23 - c_5*gain_3
+                P_24 = P_24 - c_6*gain_3
+                P_26 = P_26 - c_4*gain_4
+                P_27 = P_27 - c_4*gain_5
+                P_28 = P_28 - c_4*gain_6
+                P_30 = P_30 - c_5*gain_5
+                P_31 = P_31 - c_6*gain_5
+                P_33 = P_33 - c_6*gain_6
+                pi1 = pi1 + gain_4*innovation
+                move_eta = gain_5*innovation
+                above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
+                bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
+                eta = eta*(1.0 + bounded_move_eta*(1.0 + bounded_move_eta*(0.5 + 0.16666666666666666*bounded_move_eta)))
+                move_rho = gain_6*innovation
+                above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
+                bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
+                rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
+                if (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+                    pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
+                    eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
+                    rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
+                    if usable > 0.5:
+                        status = 3.0
             c_0 = P_7 + P_1*output_scale
             c_2 = P_20 + P_9*output_scale
             c_4 = P_29 + P_11*output_scale
@@ -642,9 +687,6 @@ def step(config, state, sample):
             gain_0 = c_0*inv_spread
             gain_1 = c_1*inv_spread
             gain_2 = c_2*inv_spread
-            gain_4 = c_4*learn_seldom
-            gain_5 = c_5*learn_slow
-            gain_6 = c_6*learn_slow
             gain_7 = c_7*inv_spread
             P_0 = P_0 - c_0*gain_0
             P_1 = P_1 - c_1*gain_0
@@ -667,61 +709,46 @@ def step(config, state, sample):
             P_18 = P_18 - c_5*gain_2
             P_19 = P_19 - c_6*gain_2
             P_20 = P_20 - c_7*gain_2
-            P_21 = P_21 - c_3*gain_3
-            P_22 = P_22 - c_4*gain_3
-            P_23 = P_23 - c_5*gain_3
-            P_24 = P_24 - c_6*gain_3
             P_25 = P_25 - c_3*gain_7
-            P_26 = P_26 - c_4*gain_4
-            P_27 = P_27 - c_4*gain_5
-            P_28 = P_28 - c_4*gain_6
             P_29 = P_29 - c_4*gain_7
-            P_30 = P_30 - c_5*gain_5
-            P_31 = P_31 - c_6*gain_5
             P_32 = P_32 - c_5*gain_7
-            P_33 = P_33 - c_6*gain_6
             P_34 = P_34 - c_6*gain_7
             P_35 = P_35 - c_7*gain_7
             v_star = v_star + gain_0*innovation
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
-            pi1 = pi1 + gain_4*innovation
-            move_eta = gain_5*innovation
-            above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
-            bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
-            eta = eta*(1.0 + bounded_move_eta*(1.0 + bounded_move_eta*(0.5 + 0.16666666666666666*bounded_move_eta)))
-            move_rho = gain_6*innovation
-            above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
-            bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
-            rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
             output_bias = output_bias + gain_7*innovation
-            settling = (noise_adapt if (noise_adapt) > (settling - dt*(settling*settling)) else settling - dt*(settling*settling))  # 1/time at first
-            noise_change = odd*(0.05 if (0.05) < (dt*settling) else dt*settling)
-            noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
-            noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
-            noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
-            expected = disturbance_scale*w_nominal  # disturbance variance expected
-            seen = (9.0*expected if (9.0*expected) < (P_15 + (disturbance*disturbance)) else P_15 + (disturbance*disturbance))  # and seen
-            unseen = (expected*observed_least if (expected*observed_least) > (expected - P_15) else expected - P_15)
-            disturbance_scale = disturbance_scale + disturbance_scale*(seen - expected)*(1.0 if (1.0) < (disturbance_adapt*dt) else disturbance_adapt*dt)/unseen
-            disturbance_scale = (disturbance_scale if (disturbance_scale) > (disturbance_scale_low) else disturbance_scale_low)
-            disturbance_scale = (disturbance_scale if (disturbance_scale) < (disturbance_scale_high) else disturbance_scale_high)
-            if (excited < 0.5) and (status < 0.5):
-                status = 1.0
-            if (status < 1.5) and (validity > (validity_limit*validity_limit)):
-                status = 2.0
+            excitation = excitation + excitation_rate*held*((sensitivity*sensitivity) - excitation)
+            if excitation > excitation_ratio*noise:
+                excited = 1.0
+            else:
+                excited = 0.0
+                if status < 0.5:
+                    status = 1.0
+            if turn < 0.5:  # one for two samples
+                settling = (noise_adapt if (noise_adapt) > (settling - 2.0*dt*(settling*settling)) else settling - 2.0*dt*(settling*settling))  # 1/time at first
+                noise_change = odd*(0.05 if (0.05) < (2.0*dt*settling) else 2.0*dt*settling)
+                noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
+                noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
+                noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
+                turn = 1.0
+            else:
+                expected = disturbance_scale*w_nominal  # disturbance variance expected
+                seen = (9.0*expected if (9.0*expected) < (P_15 + (disturbance*disturbance)) else P_15 + (disturbance*disturbance))  # and seen
+                unseen = (expected*observed_least if (expected*observed_least) > (expected - P_15) else expected - P_15)
+                disturbance_scale = disturbance_scale + 2.0*disturbance_adapt*disturbance_scale*held*(seen - expected)/unseen
+                disturbance_scale = (disturbance_scale if (disturbance_scale) > (disturbance_scale_low) else disturbance_scale_low)
+                disturbance_scale = (disturbance_scale if (disturbance_scale) < (disturbance_scale_high) else disturbance_scale_high)
+                turn = 0.0
         above_move = ((-1.0) if ((-1.0)) > (move) else move)
         bounded_move = (1.0 if (1.0) < (above_move) else above_move)
         K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high) or (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
+        if (K < K_low) or (K > K_high):  # prior +- its allowed range
             K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-            eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
-            rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
             if usable > 0.5:
                 status = 3.0
         last_input = u_now
-        last_U = U_now
+        last_U = at_U
         if usable > 0.5:
             age = 0.0
             started = 1.0
@@ -731,5 +758,5 @@ def step(config, state, sample):
     estimate = K
     variance = P_21
     information_gained = information
-    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, disturbance, K, pi1, eta, rho, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, turn, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained]

@@ -76,10 +76,16 @@ def _part(program: Program, name: str, body: tuple[Assign, ...]) -> Part:
     touched = assigned | {s.name for line in body for s in line.expression.free_symbols}
     inside = set(map(id, body))
     outside = [s for s in walk(program.step) if id(s) not in inside]
+    own = {  # what other parts work out for themselves, by their name
+        s.part: {line.target for line in outside if isinstance(line, Assign) and line.part == s.part}
+        for s in outside
+        if isinstance(s, Assign) and s.part
+    }
     read = {
         s.name
         for node in outside
         for s in (node.condition if isinstance(node, When) else node.expression).free_symbols
+        if isinstance(node, When) or s.name not in own.get(node.part, ())
     }
     variables = {s.name for f in (*program.variables, *program.output) for s in f.symbols}
     lost = sorted((assigned - names["state"]) & (read | variables))

@@ -5,7 +5,7 @@ Invariant: P stays symmetric because only one half is stored; what is overwritte
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -120,13 +120,18 @@ def column(
 
 
 def reduce_by(
-    P: Symmetric, gains: Mapping[int, sp.Symbol], order: Mapping[int, int], prefix: str
+    P: Symmetric,
+    gains: Mapping[int, sp.Symbol],
+    order: Mapping[int, int],
+    prefix: str,
+    of: Callable[[int], bool] = lambda order: True,
 ) -> list[Assign]:
     """Joseph's update where every gain is the optimal one or zero: P_ij -= g c_i c_j / S.
 
     With gains K_i = g_i c_i/S, g_i in {0, 1}, Joseph's P_ij - K_i c_j - c_i K_j + K_i K_j S is
     P_ij - max(g_i, g_j) c_i c_j/S. ``order`` ranks the gains by how often they are zero: a gain of
     higher order is zero wherever one of lower order is. Coordinates without a gain are considered.
+    ``of`` tells by the order of an entry's gain whether the entry is wanted.
     """
     lines = []
     for i in range(P.n):
@@ -136,10 +141,7 @@ def reduce_by(
                 continue
             first = min(able, key=lambda k: order[k])
             other = j if first == i else i
-            lines.append(
-                Assign(
-                    P.target(i, j),
-                    P[i, j] - gains[first] * sp.Symbol(f"{prefix}_{other}", real=True),
-                )
-            )
+            if of(order[first]):
+                reduced = P[i, j] - gains[first] * sp.Symbol(f"{prefix}_{other}", real=True)
+                lines.append(Assign(P.target(i, j), reduced))
     return lines
