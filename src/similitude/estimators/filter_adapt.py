@@ -74,6 +74,7 @@ def _calm(layout: Layout) -> sp.Expr:
 def adapt_noise(layout: Layout, times: int = 1) -> list[Assign]:
     """The size of the noise, by a sample that stands for so many."""
     change, settling, calm = S("noise_change"), S("settling"), _calm(layout)
+    grown = 1 + change * (1 + change / 2) if layout.lean else exponential(change)
     return [
         Assign(
             "settling",
@@ -84,7 +85,7 @@ def adapt_noise(layout: Layout, times: int = 1) -> list[Assign]:
             "noise_change",
             sp.Min(times * dt * S("settling"), LARGEST_STEP) * S("odd") * calm,
         ),
-        Assign("noise_scale", S("noise_scale") * exponential(change)),
+        Assign("noise_scale", S("noise_scale") * grown),
         *keep_within("noise_scale"),
     ]
 

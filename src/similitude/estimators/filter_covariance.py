@@ -22,6 +22,8 @@ from similitude.sampling import ImplicitStep
 
 ORDER = ("inv_spread", "learn", "learn_slow", "learn_seldom")  # of weights: each is zero where one before is
 
+Move = Callable[[str, str], list[Assign]]  # name of a positive state, and of the change of its logarithm
+
 
 def S(name: str) -> sp.Symbol:
     """The real symbol of that name."""
@@ -141,11 +143,12 @@ def measurement(
     further: Sequence[Statement] = (),
     *,
     update: Callable[[Layout, Mapping[int, sp.Expr]], list[Statement]] | None = None,
+    move: Move = move_log,
 ) -> list[Statement]:
     """Predict the output and, where the sample is usable, update everything by the innovation.
 
     ``further`` is what the other outputs of the sample correct after that; ``update`` what the innovation
-    does in place of this filter's own.
+    does in place of this filter's own; ``move`` how a logarithm moves.
     """
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
@@ -194,11 +197,18 @@ def measurement(
         ),
         *_validity(layout, states),
     ]
-    lines.append(
-        When(S("usable") > sp.Rational(1, 2), (*(update or _update)(layout, H), *further), (), "measurement")
+    own = (update or _update)(layout, H)
+    unused = unmeasured(layout) if layout.lean else ()
+    lines.append(When(S("usable") > sp.Rational(1, 2), (*own, *further), unused, "measurement"))
+    return [*lines, *move_unknown(layout.reduction.unknowns[0], "move", move)]
+
+
+def unmeasured(layout: Layout) -> tuple[Assign, ...]:
+    """What goes out for a sample without a measurement."""
+    return (
+        Assign("innovation", sp.Integer(0)),
+        Assign("innovation_variance", S("noise_scale") * S("noise_variance")),
     )
-    lines += move_unknown(layout.reduction.unknowns[0], "move")
-    return lines
 
 
 def _feedthrough(layout: Layout, output: sp.Expr) -> tuple[list[Assign], dict[str, sp.Expr]]:
@@ -264,7 +274,18 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("learn", S("excited") * S("inv_spread")),
         heard(),
         *jump(),
-        *slow_weights("learn"),
+        Assign(
+            "learn_slow",
+            sp.Piecewise((S("learn"), S("jump") <= 0), (0, True)),
+            "a jump is not blamed on what cannot jump",
+        ),
+        Assign("unlearnt", S("unlearnt") + dt),
+        Assign(
+            "learn_seldom",
+            sp.Piecewise((S("learn_slow"), S("unlearnt") >= S("seldom")), (0, True)),
+            "the next sample tells little that this one does not",
+        ),
+        When(S("learn_seldom") > 0, (Assign("unlearnt", sp.Integer(0)),), ()),
     ]
     gains = {i: S(f"gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
     weight = weights(layout, gains)
@@ -287,24 +308,6 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     lines += as_part("correct", corrected)
     lines += adapt(layout)
     return lines
-
-
-def slow_weights(learn: str) -> list[Statement]:
-    """``learn_slow`` and ``learn_seldom``: what ``learn`` is for unknowns that cannot jump, and now and then."""
-    return [
-        Assign(
-            "learn_slow",
-            sp.Piecewise((S(learn), S("jump") <= 0), (0, True)),
-            "a jump is not blamed on what cannot jump",
-        ),
-        Assign("unlearnt", S("unlearnt") + dt),
-        Assign(
-            "learn_seldom",
-            sp.Piecewise((S("learn_slow"), S("unlearnt") >= S("seldom")), (0, True)),
-            "the next sample tells little that this one does not",
-        ),
-        When(S("learn_seldom") > 0, (Assign("unlearnt", sp.Integer(0)),), ()),
-    ]
 
 
 def weights(layout: Layout, rows: Iterable[int], learn: str = "learn") -> dict[int, str]:
@@ -333,7 +336,7 @@ def linear_range(layout: Layout) -> sp.Basic:
     return S("validity") < S("validity_limit") ** 2
 
 
-def state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
+def state_update(layout: Layout, gains: Mapping[int, sp.Symbol], move: Move = move_log) -> list[Assign]:
     """Every coordinate but the first unknown, which moves at the end of the step."""
     nu = S("innovation")
     lines: list[Assign] = []
@@ -342,14 +345,14 @@ def state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]
         name = layout.coordinates[i]
         if name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
-            lines += move_log(name, f"move_{name}")
+            lines += move(name, f"move_{name}")
         else:
             lines.append(Assign(name, S(name) + gain * nu))
     return lines
 
 
-def move_unknown(unknown: Unknown, by: str) -> list[Assign]:
-    """Move an unknown's coordinate; a logarithm moves by at most one at a time."""
+def move_unknown(unknown: Unknown, by: str, move: Move = move_log) -> list[Assign]:
+    """Move an unknown's coordinate; a logarithm as ``move`` says."""
     if unknown.kind == "linear":
         return [Assign(unknown.name, unknown.symbol + S(by))]
-    return move_log(unknown.name, by)
+    return move(unknown.name, by)

@@ -316,7 +316,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("age", "s", "time since the last usable sample"),
         *_if(
             layout.lean,
-            Field("turn", "-", "0: the size of the noise adapts next, 1: the disturbance's"),
+            Field("turn", "-", "which size adapts next: 0 disturbance, 1 noise, 2 excitation"),
         ),
         Field("started", "-", "1 once a sample was used; 0 again while the scales hide the dynamics"),
     )

@@ -1,9 +1,9 @@
 """The population filter's step for small parts: what excludes one another shares a sample's time.
 
 restart    on a sample that starts the dynamic state anew nothing is propagated
-pull       to the prior while nothing is heard; learning while something is (of the sample before, so that
+pull       to the prior while nothing is heard; learning while something is (of the samples before, so that
            no sample does both), and limits are looked at where an unknown has moved
-sizes      of noise and disturbance adapt by turns, every other sample for two
+sizes      of disturbance and noise and the excitation adapt by turns, every third sample for three
 time       is bounded once by the shortest memory, in place of every average's weight
 
 Invariant: the arithmetic of covariance, gains and dynamics is the population filter's own.
@@ -20,7 +20,7 @@ from similitude.estimators import filter_covariance as cov
 from similitude.estimators.filter_adapt import adapt_disturbance, adapt_noise, set_lower_status
 from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, Layout
 from similitude.estimators.filter_gates import anew_lines
-from similitude.estimators.filter_jump import heard, jump, quiet_drift, share, surprise
+from similitude.estimators.filter_jump import heard, quiet_drift, share, surprise
 from similitude.program.ir import Assign, Program, Statement, When
 from similitude.program.parts import as_part
 from similitude.program.symmetric import column, reduce_by
@@ -28,6 +28,7 @@ from similitude.sampling import ImplicitStep
 from similitude.status import STATUS
 
 HALF = sp.Rational(1, 2)
+TURNS = 3  # samples that one adaptation of a slow size stands for
 
 
 def S(name: str) -> sp.Symbol:
@@ -65,7 +66,7 @@ def lean_dynamics(
             "nothing is known of the dynamic state",
         ),
         Assign("move", sp.Integer(0)),
-        When(S("excited") < HALF, tuple(cov.pull(layout)), quiet, "nothing heard: it may have changed"),
+        When(S("excited") <= 0, tuple(cov.pull(layout)), quiet, "nothing heard: it may have changed"),
         *(Assign(P.target(i, i), P[i, i] + added) for i, added in slow.items()),
     ]
 
@@ -95,22 +96,30 @@ def lean_update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("sensitivity", S(f"c_{t}") * S("inv_P"), f"of the output to ln {layout.target}"),
         heard(),
         *_correct(layout, H, early),
-        Assign(
-            "excitation",
-            S("excitation") + share("excitation_rate") * (S("sensitivity") ** 2 - S("excitation")),
-        ),
-        When(
-            S("excitation") > S("excitation_ratio") * S("noise"),
-            (Assign("excited", sp.Integer(1)),),
-            (Assign("excited", sp.Integer(0)), set_lower_status("not_excited")),
-        ),
-        When(
-            S("turn") < HALF,
-            (*adapt_noise(layout, 2), Assign("turn", sp.Integer(1))),
-            (*adapt_disturbance(layout, 2), Assign("turn", sp.Integer(0))),
-            "one for two samples",
-        ),
+        *_turns(layout),
     ]
+
+
+def _turns(layout: Layout) -> list[Statement]:
+    """What changes slowly: one of three a sample, for three samples."""
+    above, heard = S("above") * S("above"), S("sensitivity") * S("sensitivity")
+    enough = S("excitation") > S("excitation_ratio") * S("noise")
+    thirds: tuple[list[Statement], ...] = (
+        [*adapt_disturbance(layout, TURNS), Assign("turn", sp.Integer(1))],
+        [*adapt_noise(layout, TURNS), Assign("turn", sp.Integer(2))],
+        [
+            _average("restlessness", "noise_adapt", above),
+            _average("excitation", "excitation_rate", heard),
+            Assign("excited", sp.Piecewise((1, enough), (0, True))),
+            Assign("turn", sp.Integer(0)),
+        ],
+    )
+    later = When(S("turn") < 1 + HALF, tuple(thirds[1]), tuple(thirds[2]))
+    return [When(S("turn") <= 0, tuple(thirds[0]), (later,), "one for three samples")]
+
+
+def _average(name: str, rate: str, now: sp.Expr) -> Assign:
+    return Assign(name, S(name) + TURNS * share(rate) * (now - S(name)))
 
 
 def _surprise(layout: Layout) -> list[Statement]:
@@ -120,7 +129,10 @@ def _surprise(layout: Layout) -> list[Statement]:
     lines: list[Statement] = [Assign("linear", sp.Integer(1), "1 in the model's linear range")]
     if inside is not sp.false:
         lines.append(When(inside, beyond))
-    return [*lines, surprise(), *jump()]
+    beyond = S("surprise") - S("surprise_limit")
+    stands_out = S("above") * S("above") > S("jump_ratio") * S("restlessness")
+    rises = When(stands_out, (Assign("jump", sp.Max(beyond, 0)),), (Assign("jump", sp.Integer(0)),))
+    return [*lines, surprise(), Assign("above", S("surprise") - 1), rises]
 
 
 def _correct(layout: Layout, H: Mapping[int, sp.Expr], early: Sequence[int]) -> list[Statement]:
@@ -137,23 +149,43 @@ def _correct(layout: Layout, H: Mapping[int, sp.Expr], early: Sequence[int]) -> 
         lines = column(P, H, "c", (i for i in columns if i not in early))
         lines += [Assign(gain.name, S(f"c_{i}") * S(weights[i])) for i, gain in own.items()]
         lines += reduce_by(P, gains, rank, "c", lambda order: (order == 0) == always)
-        return [*lines, *cov.state_update(layout, own)]
+        return [*lines, *cov.state_update(layout, own, move_square)]
 
     held = [i for i in range(P.n) if i not in rank or rank[i] > 0]
     learnt = as_part("learn", corrected(held, held, always=False))
     fast = [i for i in range(P.n) if i not in held]
     gained = S("gained")
     body = (
-        *cov.slow_weights("inv_spread"),
+        *_slow_weights(),
         Assign(gains[t].name, S(f"c_{t}") * S("inv_spread")),
         Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
         Assign("information", S("information") + gained * (1 + gained) * S("inv_P"), "1/variance gained"),
         Assign("move", S("move") + gains[t] * nu),
         *learnt,
-        keep_all_within([n for n in layout.moving if n != target]),
+        *keep_each_within([n for n in layout.moving if n != target]),
     )
     always = as_part("correct", corrected(fast, range(P.n), always=True))
-    return [When(S("excited") > HALF, body, (), "heard of the sample before"), *always]
+    unheard = (set_lower_status("not_excited"),)
+    return [When(S("excited") > 0, body, unheard, "heard of the samples before"), *always]
+
+
+def _slow_weights() -> list[Statement]:
+    """What the innovation counts with for unknowns that cannot jump, and for those learnt now and then."""
+    return [
+        Assign(
+            "learn_slow",
+            sp.Piecewise((S("inv_spread"), S("jump") <= 0), (0, True)),
+            "a jump is not blamed on what cannot jump",
+        ),
+        Assign("unlearnt", S("unlearnt") + dt),
+        Assign("learn_seldom", sp.Integer(0)),
+        When(
+            S("unlearnt") >= S("seldom"),
+            (Assign("learn_seldom", S("learn_slow")), Assign("unlearnt", sp.Integer(0))),
+            (),
+            "the next sample tells little that this one does not",
+        ),
+    ]
 
 
 def bounded_once(program: Program) -> Program:
@@ -179,9 +211,19 @@ def bounded_once(program: Program) -> Program:
     return replace(program, step=bounded(program.step))
 
 
-def keep_all_within(names: Sequence[str]) -> When:
-    """Unknowns inside what the population allows; the status says where one was not."""
-    hit = [r for n in names for r in (S(n) < S(f"{n}_low"), S(n) > S(f"{n}_high"))]
-    clip = [Assign(n, sp.Min(sp.Max(S(n), S(f"{n}_low")), S(f"{n}_high"))) for n in names]
-    at_limit = When(S("usable") > HALF, (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
-    return When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range")
+def move_square(name: str, by: str) -> list[Assign]:
+    """Move a positive state by so much of its logarithm: by the square of exp's series over half of it.
+
+    Positive for any move and off by m^3/24, so no move has to be bounded; the least it leaves is a quarter.
+    """
+    half, m = S(f"half_{by}"), S(by)
+    eighth = sp.Rational(1, 8)
+    return [Assign(half.name, 1 + m * (HALF + eighth * m)), Assign(name, S(name) * (half * half))]
+
+
+def keep_each_within(names: Sequence[str]) -> list[Statement]:
+    """Unknowns inside what the population allows, after a measurement; the status says where one was not."""
+    told = Assign("status", sp.Integer(STATUS["at_limit"]))
+    sides = [(n, S(f"{n}_low"), S(n) < S(f"{n}_low")) for n in names]
+    sides += [(n, S(f"{n}_high"), S(n) > S(f"{n}_high")) for n in names]
+    return [When(beyond, (Assign(n, limit), told), (), "its allowed range") for n, limit, beyond in sides]

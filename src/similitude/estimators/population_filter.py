@@ -13,6 +13,8 @@ Invariant: whatever the sample holds, every state stays finite and the variances
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from similitude.errors import ProgramError
@@ -27,7 +29,7 @@ from similitude.estimators.filter_fields import (
     Layout,
 )
 from similitude.estimators.filter_gates import gates, restart
-from similitude.estimators.filter_lean import keep_all_within, lean_dynamics, lean_update
+from similitude.estimators.filter_lean import keep_each_within, lean_dynamics, lean_update, move_square
 from similitude.estimators.further_fields import further_variable
 from similitude.estimators.further_output import further_updates
 from similitude.program.ir import Assign, Field, Program, Statement, When
@@ -120,6 +122,7 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         *(further_variable(q) for q in layout.further),
         *(Field(f"d_{name}", "-", "change over the step") for name in layout.fast if layout.lean),
         *([Field("linear", "-", "1 in the model's linear range")] if layout.lean else []),
+        *([Field("learn_seldom", "-", "1/variance for what is learnt now and then")] if layout.lean else []),
     )
 
 
@@ -185,8 +188,7 @@ def _step(layout: Layout) -> list[Statement]:
     return [
         Assign("status", sp.Integer(STATUS["ok"])),
         Assign("predicted", S(BIAS) if BIAS in layout.errors else sp.Integer(0)),
-        Assign("innovation", sp.Integer(0)),
-        Assign("innovation_variance", S("noise_scale") * S("noise_variance")),
+        *(() if layout.lean else cov.unmeasured(layout)),
         *_handed_out(
             layout,
             Assign("noise_now", S("innovation_variance")),
@@ -204,6 +206,7 @@ def _step(layout: Layout) -> list[Statement]:
             (
                 Assign("status", sp.Integer(STATUS["bad_sample"])),
                 Assign("age", lost, "an endless pause is a gap for the next sample"),
+                *(cov.unmeasured(layout) if layout.lean else ()),
             ),
             "time must advance",
         ),
@@ -274,7 +277,8 @@ def _dynamics(layout: Layout) -> list[Statement]:
 
 
 def _measurement(layout: Layout) -> list[Statement]:
-    return cov.measurement(layout, further_updates(layout), update=lean_update if layout.lean else None)
+    own = {"update": lean_update, "move": move_square} if layout.lean else {}
+    return cov.measurement(layout, further_updates(layout), **own)
 
 
 def _scales(layout: Layout) -> list[Statement]:
@@ -312,8 +316,7 @@ def _before(layout: Layout) -> dict[sp.Symbol, sp.Symbol]:
 
 def _after(layout: Layout) -> list[Statement]:
     """Remember this sample; keep every unknown inside what the population allows."""
-    moving = (layout.target,) if layout.lean else layout.moving
-    lines: list[Statement] = [keep_all_within(moving)]
+    lines: list[Statement] = [] if layout.lean else [_keep_within(layout.moving)]
     lines += _handed_out(
         layout,
         Assign("noise_now", S("noise")),
@@ -322,9 +325,14 @@ def _after(layout: Layout) -> list[Statement]:
     lines.append(Assign("last_input", S("u_now")))
     used = "at_{}" if layout.lean else "{}_now"
     lines += [Assign(f"last_{q.name}", S(used.format(q.name))) for q in layout.signals]
-    lines.append(
-        When(
-            S("usable") > sp.Rational(1, 2), (Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1)))
-        )
-    )
-    return lines
+    after = [Assign("age", sp.Integer(0)), Assign("started", sp.Integer(1))]
+    after += keep_each_within([layout.target]) if layout.lean else []  # unmeasured it goes to its prior
+    return [*lines, When(S("usable") > sp.Rational(1, 2), tuple(after))]
+
+
+def _keep_within(names: Sequence[str]) -> When:
+    """Unknowns inside what the population allows; the status says where one was not."""
+    hit = [r for n in names for r in (S(n) < S(f"{n}_low"), S(n) > S(f"{n}_high"))]
+    clip = [Assign(n, sp.Min(sp.Max(S(n), S(f"{n}_low")), S(f"{n}_high"))) for n in names]
+    at_limit = When(S("usable") > sp.Rational(1, 2), (Assign("status", sp.Integer(STATUS["at_limit"])),), ())
+    return When(sp.Or(*hit), (*clip, at_limit), (), "prior +- its allowed range")

@@ -5,7 +5,7 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, output_bias
  *
- * Operations: step 807 at most, 5 at least (arithmetic, comparisons, selects), init 6.
+ * Operations: step 749 at most, 5 at least (arithmetic, comparisons, selects), init 6.
  * Memory: state 62 reals, configuration 64 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -142,7 +142,7 @@ typedef struct bicycle_small_population_state {
     bicycle_small_population_real last_input;        /* [rad] input of the sample before */
     bicycle_small_population_real last_U;            /* [m/s] forward speed of the sample before */
     bicycle_small_population_real age;               /* [s] time since the last usable sample */
-    bicycle_small_population_real turn;              /* [-] 0: the size of the noise adapts next, 1: the disturbance's */
+    bicycle_small_population_real turn;              /* [-] which size adapts next: 0 disturbance, 1 noise, 2 excitation */
     bicycle_small_population_real started;           /* [-] 1 once a sample was used; 0 again while the scales hide the dynamics */
 } bicycle_small_population_state;
 
@@ -381,13 +381,11 @@ SIMILITUDE_PART void bicycle_small_population_learn(
     P[33] = P[33] - c_6*gain_6;
     state->pi1 = state->pi1 + gain_4*innovation;
     const bicycle_small_population_real move_eta = gain_5*innovation;
-    const bicycle_small_population_real above_move_eta = (((-R(1.0))) > (move_eta) ? (-R(1.0)) : move_eta);
-    const bicycle_small_population_real bounded_move_eta = ((R(1.0)) < (above_move_eta) ? R(1.0) : above_move_eta);
-    state->eta = state->eta*(R(1.0) + bounded_move_eta*(R(1.0) + bounded_move_eta*(R(0.5) + R(0.16666666666666666)*bounded_move_eta)));
+    const bicycle_small_population_real half_move_eta = R(1.0) + move_eta*(R(0.5) + R(0.125)*move_eta);
+    state->eta = state->eta*(half_move_eta*half_move_eta);
     const bicycle_small_population_real move_rho = gain_6*innovation;
-    const bicycle_small_population_real above_move_rho = (((-R(1.0))) > (move_rho) ? (-R(1.0)) : move_rho);
-    const bicycle_small_population_real bounded_move_rho = ((R(1.0)) < (above_move_rho) ? R(1.0) : above_move_rho);
-    state->rho = state->rho*(R(1.0) + bounded_move_rho*(R(1.0) + bounded_move_rho*(R(0.5) + R(0.16666666666666666)*bounded_move_rho)));
+    const bicycle_small_population_real half_move_rho = R(1.0) + move_rho*(R(0.5) + R(0.125)*move_rho);
+    state->rho = state->rho*(half_move_rho*half_move_rho);
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -405,6 +403,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
     bicycle_small_population_real innovation = R(0.0);
     bicycle_small_population_real innovation_variance = R(0.0);
     bicycle_small_population_real inv_spread = R(0.0);
+    bicycle_small_population_real learn_seldom = R(0.0);
     bicycle_small_population_real linear = R(0.0);
     bicycle_small_population_real move = R(0.0);
     bicycle_small_population_real predicted = R(0.0);
@@ -415,8 +414,6 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
 
     status = 0;
     predicted = state->output_bias;
-    innovation = R(0.0);
-    innovation_variance = state->noise_scale*config->noise_variance;
     if ((sample->dt < R(1000000.0)) && (sample->dt > R(1e-06))) { /* time must advance */
         usable = 1;
         anew = 0; /* 1 where the dynamic state starts anew */
@@ -583,7 +580,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             state->r_star = d_r_star + state->r_star;
         }
         move = R(0.0);
-        if (state->excited < R(0.5)) { /* nothing heard: it may have changed */
+        if (state->excited <= R(0.0)) { /* nothing heard: it may have changed */
             const bicycle_small_population_real lost = ((R(1.0)) < (R(0.5)*sample->dt*config->idle_drift*config->prior_information) ? R(1.0) : R(0.5)*sample->dt*config->idle_drift*config->prior_information);
             const bicycle_small_population_real keep = R(1.0) - lost;
             diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
@@ -637,17 +634,20 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
             }
             state->surprise = state->surprise + held*config->surprise_rate*(R(1.0) + linear*odd - state->surprise); /* recent mean of the normalised innovation squared */
             const bicycle_small_population_real above = state->surprise - R(1.0);
-            state->restlessness = state->restlessness + held*config->noise_adapt*((above*above) - state->restlessness);
-            const bicycle_small_population_real rise = ((above*above) > config->jump_ratio*state->restlessness ? state->surprise - config->surprise_limit : R(0.0));
-            state->jump = ((R(0.0)) > (rise) ? R(0.0) : rise);
+            if ((above*above) > config->jump_ratio*state->restlessness) {
+                state->jump = ((R(0.0)) > (state->surprise - config->surprise_limit) ? R(0.0) : state->surprise - config->surprise_limit);
+            } else {
+                state->jump = R(0.0);
+            }
             const bicycle_small_population_real inv_P = (R(1.0)/P[21]);
             const bicycle_small_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->heard = state->heard*(R(1.0) - config->heard_rate*held) + inv_spread*(sensitivity*sensitivity); /* information of late */
-            if (state->excited > R(0.5)) { /* heard of the sample before */
+            if (state->excited > R(0.0)) { /* heard of the samples before */
                 const bicycle_small_population_real learn_slow = (state->jump <= R(0.0) ? inv_spread : R(0.0)); /* a jump is not blamed on what cannot jump */
                 state->unlearnt = sample->dt + state->unlearnt;
-                const bicycle_small_population_real learn_seldom = (config->seldom <= state->unlearnt ? learn_slow : R(0.0)); /* the next sample tells little that this one does not */
-                if (learn_seldom > R(0.0)) {
+                learn_seldom = R(0.0);
+                if (state->unlearnt >= config->seldom) { /* the next sample tells little that this one does not */
+                    learn_seldom = learn_slow;
                     state->unlearnt = R(0.0);
                 }
                 const bicycle_small_population_real gain_3 = c_3*inv_spread;
@@ -655,60 +655,84 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
                 state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
                 move = move + gain_3*innovation;
                 bicycle_small_population_learn(state, output_scale, learn_seldom, learn_slow, c_3, gain_3, innovation);
-                if ((state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
-                    state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
-                    state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
-                    state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
-                    if (usable > 0) {
-                        status = 3;
-                    }
+                if (state->pi1 < config->pi1_low) { /* its allowed range */
+                    state->pi1 = config->pi1_low;
+                    status = 3;
                 }
-            }
-            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, c_7, c_3, innovation);
-            state->excitation = state->excitation + config->excitation_rate*held*((sensitivity*sensitivity) - state->excitation);
-            if (state->excitation > config->excitation_ratio*noise) {
-                state->excited = R(1.0);
+                if (state->eta < config->eta_low) { /* its allowed range */
+                    state->eta = config->eta_low;
+                    status = 3;
+                }
+                if (state->rho < config->rho_low) { /* its allowed range */
+                    state->rho = config->rho_low;
+                    status = 3;
+                }
+                if (state->pi1 > config->pi1_high) { /* its allowed range */
+                    state->pi1 = config->pi1_high;
+                    status = 3;
+                }
+                if (state->eta > config->eta_high) { /* its allowed range */
+                    state->eta = config->eta_high;
+                    status = 3;
+                }
+                if (state->rho > config->rho_high) { /* its allowed range */
+                    state->rho = config->rho_high;
+                    status = 3;
+                }
             } else {
-                state->excited = R(0.0);
                 if (status < 1) {
                     status = 1;
                 }
             }
-            if (state->turn < R(0.5)) { /* one for two samples */
-                state->settling = ((config->noise_adapt) > (state->settling - R(2.0)*sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - R(2.0)*sample->dt*(state->settling*state->settling)); /* 1/time at first */
-                const bicycle_small_population_real noise_change = odd*((R(0.05)) < (R(2.0)*sample->dt*state->settling) ? R(0.05) : R(2.0)*sample->dt*state->settling);
-                state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
-                state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
-                state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
-                state->turn = R(1.0);
-            } else {
+            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, c_7, c_3, innovation);
+            if (state->turn <= R(0.0)) { /* one for three samples */
                 const bicycle_small_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
                 const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[15] + (state->disturbance*state->disturbance)); /* and seen */
                 const bicycle_small_population_real unseen = ((expected*config->observed_least) > (expected - P[15]) ? expected*config->observed_least : expected - P[15]);
-                state->disturbance_scale = state->disturbance_scale + R(2.0)*config->disturbance_adapt*state->disturbance_scale*held*(seen - expected)/unseen;
+                state->disturbance_scale = state->disturbance_scale + R(3.0)*config->disturbance_adapt*state->disturbance_scale*held*(seen - expected)/unseen;
                 state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
                 state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
-                state->turn = R(0.0);
+                state->turn = R(1.0);
+            } else {
+                if (state->turn < R(1.5)) {
+                    state->settling = ((config->noise_adapt) > (state->settling - R(3.0)*sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - R(3.0)*sample->dt*(state->settling*state->settling)); /* 1/time at first */
+                    const bicycle_small_population_real noise_change = odd*((R(0.05)) < (R(3.0)*sample->dt*state->settling) ? R(0.05) : R(3.0)*sample->dt*state->settling);
+                    state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + R(0.5)*noise_change));
+                    state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
+                    state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
+                    state->turn = R(2.0);
+                } else {
+                    state->restlessness = state->restlessness + R(3.0)*held*config->noise_adapt*((above*above) - state->restlessness);
+                    state->excitation = state->excitation + R(3.0)*config->excitation_rate*held*((sensitivity*sensitivity) - state->excitation);
+                    state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
+                    state->turn = R(0.0);
+                }
             }
+        } else {
+            innovation = R(0.0);
+            innovation_variance = state->noise_scale*config->noise_variance;
         }
-        const bicycle_small_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
-        const bicycle_small_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
-        state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((state->K < config->K_low) || (state->K > config->K_high)) { /* prior +- its allowed range */
-            state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
-            if (usable > 0) {
-                status = 3;
-            }
-        }
+        const bicycle_small_population_real half_move = R(1.0) + move*(R(0.5) + R(0.125)*move);
+        state->K = state->K*(half_move*half_move);
         state->last_input = u_now;
         state->last_U = at_U;
         if (usable > 0) {
             state->age = R(0.0);
             state->started = R(1.0);
+            if (state->K < config->K_low) { /* its allowed range */
+                state->K = config->K_low;
+                status = 3;
+            }
+            if (state->K > config->K_high) { /* its allowed range */
+                state->K = config->K_high;
+                status = 3;
+            }
         }
     } else {
         status = 7;
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
+        innovation = R(0.0);
+        innovation_variance = state->noise_scale*config->noise_variance;
     }
     estimate = state->K;
     variance = P[21];

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_small_population'
-OPERATIONS = 807
+OPERATIONS = 749
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'output_bias')
 
@@ -97,7 +97,7 @@ STATE = (
     ('last_input', 'rad', 'input of the sample before', 1),
     ('last_U', 'm/s', 'forward speed of the sample before', 1),
     ('age', 's', 'time since the last usable sample', 1),
-    ('turn', '-', "0: the size of the noise adapts next, 1: the disturbance's", 1),
+    ('turn', '-', 'which size adapts next: 0 disturbance, 1 noise, 2 excitation', 1),
     ('started', '-', '1 once a sample was used; 0 again while the scales hide the dynamics', 1),
 )
 
@@ -346,6 +346,7 @@ def step(config, state, sample):
     innovation = 0.0
     innovation_variance = 0.0
     inv_spread = 0.0
+    learn_seldom = 0.0
     linear = 0.0
     move = 0.0
     predicted = 0.0
@@ -355,8 +356,6 @@ def step(config, state, sample):
     variance = 0.0
     status = 0.0
     predicted = output_bias
-    innovation = 0.0
-    innovation_variance = noise_scale*noise_variance
     if (dt < 1000000.0) and (dt > 1e-06):  # time must advance
         usable = 1.0
         anew = 0.0  # 1 where the dynamic state starts anew
@@ -582,7 +581,7 @@ def step(config, state, sample):
             v_star = d_v_star + v_star
             r_star = d_r_star + r_star
         move = 0.0
-        if excited < 0.5:  # nothing heard: it may have changed
+        if excited <= 0.0:  # nothing heard: it may have changed
             lost = (1.0 if (1.0) < (0.5*dt*idle_drift*prior_information) else 0.5*dt*idle_drift*prior_information)
             keep = 1.0 - lost
             diffusion = lost*(1.0 + keep)/(dt*prior_information)  # for long: the prior variance
@@ -632,17 +631,19 @@ def step(config, state, sample):
                     status = 2.0
             surprise = surprise + held*surprise_rate*(1.0 + linear*odd - surprise)  # recent mean of the normalised innovation squared
             above = surprise - 1.0
-            restlessness = restlessness + held*noise_adapt*((above*above) - restlessness)
-            rise = (surprise - surprise_limit if (above*above) > jump_ratio*restlessness else 0.0)
-            jump = (0.0 if (0.0) > (rise) else rise)
+            if (above*above) > jump_ratio*restlessness:
+                jump = (0.0 if (0.0) > (surprise - surprise_limit) else surprise - surprise_limit)
+            else:
+                jump = 0.0
             inv_P = (1.0/P_21)
             sensitivity = c_3*inv_P  # of the output to ln K
             heard = heard*(1.0 - heard_rate*held) + inv_spread*(sensitivity*sensitivity)  # information of late
-            if excited > 0.5:  # heard of the sample before
+            if excited > 0.0:  # heard of the samples before
                 learn_slow = (inv_spread if jump <= 0.0 else 0.0)  # a jump is not blamed on what cannot jump
                 unlearnt = dt + unlearnt
-                learn_seldom = (learn_slow if seldom <= unlearnt else 0.0)  # the next sample tells little that this one does not
-                if learn_seldom > 0.0:
+                learn_seldom = 0.0
+                if unlearnt >= seldom:  # the next sample tells little that this one does not
+                    learn_seldom = learn_slow
                     unlearnt = 0.0
                 gain_3 = c_3*inv_spread
                 gained = c_3*gain_3*inv_P  # share of the variance removed
@@ -666,19 +667,32 @@ def step(config, state, sample):
                 P_33 = P_33 - c_6*gain_6
                 pi1 = pi1 + gain_4*innovation
                 move_eta = gain_5*innovation
-                above_move_eta = ((-1.0) if ((-1.0)) > (move_eta) else move_eta)
-                bounded_move_eta = (1.0 if (1.0) < (above_move_eta) else above_move_eta)
-                eta = eta*(1.0 + bounded_move_eta*(1.0 + bounded_move_eta*(0.5 + 0.16666666666666666*bounded_move_eta)))
+                half_move_eta = 1.0 + move_eta*(0.5 + 0.125*move_eta)
+                eta = eta*(half_move_eta*half_move_eta)
                 move_rho = gain_6*innovation
-                above_move_rho = ((-1.0) if ((-1.0)) > (move_rho) else move_rho)
-                bounded_move_rho = (1.0 if (1.0) < (above_move_rho) else above_move_rho)
-                rho = rho*(1.0 + bounded_move_rho*(1.0 + bounded_move_rho*(0.5 + 0.16666666666666666*bounded_move_rho)))
-                if (eta < eta_low) or (eta > eta_high) or (pi1 < pi1_low) or (pi1 > pi1_high) or (rho < rho_low) or (rho > rho_high):  # prior +- its allowed range
-                    pi1 = (pi1_high if (pi1_high) < ((pi1 if (pi1) > (pi1_low) else pi1_low)) else (pi1 if (pi1) > (pi1_low) else pi1_low))
-                    eta = (eta_high if (eta_high) < ((eta if (eta) > (eta_low) else eta_low)) else (eta if (eta) > (eta_low) else eta_low))
-                    rho = (rho_high if (rho_high) < ((rho if (rho) > (rho_low) else rho_low)) else (rho if (rho) > (rho_low) else rho_low))
-                    if usable > 0.5:
-                        status = 3.0
+                half_move_rho = 1.0 + move_rho*(0.5 + 0.125*move_rho)
+                rho = rho*(half_move_rho*half_move_rho)
+                if pi1 < pi1_low:  # its allowed range
+                    pi1 = pi1_low
+                    status = 3.0
+                if eta < eta_low:  # its allowed range
+                    eta = eta_low
+                    status = 3.0
+                if rho < rho_low:  # its allowed range
+                    rho = rho_low
+                    status = 3.0
+                if pi1 > pi1_high:  # its allowed range
+                    pi1 = pi1_high
+                    status = 3.0
+                if eta > eta_high:  # its allowed range
+                    eta = eta_high
+                    status = 3.0
+                if rho > rho_high:  # its allowed range
+                    rho = rho_high
+                    status = 3.0
+            else:
+                if status < 0.5:
+                    status = 1.0
             c_0 = P_7 + P_1*output_scale
             c_2 = P_20 + P_9*output_scale
             c_4 = P_29 + P_11*output_scale
@@ -718,43 +732,48 @@ def step(config, state, sample):
             r_star = r_star + gain_1*innovation
             disturbance = disturbance + gain_2*innovation
             output_bias = output_bias + gain_7*innovation
-            excitation = excitation + excitation_rate*held*((sensitivity*sensitivity) - excitation)
-            if excitation > excitation_ratio*noise:
-                excited = 1.0
-            else:
-                excited = 0.0
-                if status < 0.5:
-                    status = 1.0
-            if turn < 0.5:  # one for two samples
-                settling = (noise_adapt if (noise_adapt) > (settling - 2.0*dt*(settling*settling)) else settling - 2.0*dt*(settling*settling))  # 1/time at first
-                noise_change = odd*(0.05 if (0.05) < (2.0*dt*settling) else 2.0*dt*settling)
-                noise_scale = noise_scale*(1.0 + noise_change*(1.0 + noise_change*(0.5 + 0.16666666666666666*noise_change)))
-                noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
-                noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
-                turn = 1.0
-            else:
+            if turn <= 0.0:  # one for three samples
                 expected = disturbance_scale*w_nominal  # disturbance variance expected
                 seen = (9.0*expected if (9.0*expected) < (P_15 + (disturbance*disturbance)) else P_15 + (disturbance*disturbance))  # and seen
                 unseen = (expected*observed_least if (expected*observed_least) > (expected - P_15) else expected - P_15)
-                disturbance_scale = disturbance_scale + 2.0*disturbance_adapt*disturbance_scale*held*(seen - expected)/unseen
+                disturbance_scale = disturbance_scale + 3.0*disturbance_adapt*disturbance_scale*held*(seen - expected)/unseen
                 disturbance_scale = (disturbance_scale if (disturbance_scale) > (disturbance_scale_low) else disturbance_scale_low)
                 disturbance_scale = (disturbance_scale if (disturbance_scale) < (disturbance_scale_high) else disturbance_scale_high)
-                turn = 0.0
-        above_move = ((-1.0) if ((-1.0)) > (move) else move)
-        bounded_move = (1.0 if (1.0) < (above_move) else above_move)
-        K = K*(1.0 + bounded_move*(1.0 + bounded_move*(0.5 + 0.16666666666666666*bounded_move)))
-        if (K < K_low) or (K > K_high):  # prior +- its allowed range
-            K = (K_high if (K_high) < ((K if (K) > (K_low) else K_low)) else (K if (K) > (K_low) else K_low))
-            if usable > 0.5:
-                status = 3.0
+                turn = 1.0
+            else:
+                if turn < 1.5:
+                    settling = (noise_adapt if (noise_adapt) > (settling - 3.0*dt*(settling*settling)) else settling - 3.0*dt*(settling*settling))  # 1/time at first
+                    noise_change = odd*(0.05 if (0.05) < (3.0*dt*settling) else 3.0*dt*settling)
+                    noise_scale = noise_scale*(1.0 + noise_change*(1.0 + 0.5*noise_change))
+                    noise_scale = (noise_scale if (noise_scale) > (noise_scale_low) else noise_scale_low)
+                    noise_scale = (noise_scale if (noise_scale) < (noise_scale_high) else noise_scale_high)
+                    turn = 2.0
+                else:
+                    restlessness = restlessness + 3.0*held*noise_adapt*((above*above) - restlessness)
+                    excitation = excitation + 3.0*excitation_rate*held*((sensitivity*sensitivity) - excitation)
+                    excited = (1.0 if excitation > excitation_ratio*noise else 0.0)
+                    turn = 0.0
+        else:
+            innovation = 0.0
+            innovation_variance = noise_scale*noise_variance
+        half_move = 1.0 + move*(0.5 + 0.125*move)
+        K = K*(half_move*half_move)
         last_input = u_now
         last_U = at_U
         if usable > 0.5:
             age = 0.0
             started = 1.0
+            if K < K_low:  # its allowed range
+                K = K_low
+                status = 3.0
+            if K > K_high:  # its allowed range
+                K = K_high
+                status = 3.0
     else:
         status = 7.0
         age = (1000000.0 if dt > 1.0 else age)  # an endless pause is a gap for the next sample
+        innovation = 0.0
+        innovation_variance = noise_scale*noise_variance
     estimate = K
     variance = P_21
     information_gained = information
