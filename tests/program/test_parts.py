@@ -85,8 +85,17 @@ def test_a_part_takes_what_it_reads_and_no_more():
 
     read = {s.name for line in part.body for s in line.expression.free_symbols}
     assert set(part.arguments) < read and "state" in part.structs
-    assert {"inv_spread", "learn_slow", "learn_seldom", "innovation"} < set(part.arguments)
+    assert {"inv_spread", "c_3", "innovation"} < set(part.arguments)
     assert len(re.findall(r"\bbicycle_small_population_correct\(", source)) == 2  # its text and one call
+
+
+def test_parts_may_work_out_values_of_the_same_name():
+    """Each is a function of its own: c_4 of `learn` is not the c_4 of `correct`."""
+    parts = parts_of(small_population_filter(bicycle_reduction()))
+    own = {name: {line.target for line in part.body} for name, part in parts.items()}
+
+    assert "c_4" in own["learn"] & own["correct"]
+    assert not any("c_4" in part.arguments for part in parts.values())
 
 
 def test_runs_keep_the_order():

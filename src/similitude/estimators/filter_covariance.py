@@ -133,6 +133,7 @@ def pull(layout: Layout) -> list[Statement]:
 
 
 def disturbance_variance(layout: Layout) -> sp.Expr:
+    """Nominal variance of the disturbance [input^2]: a floor, and a share of what is driven."""
     floor, share = S("disturbance_floor"), S("disturbance_share")
     relative = share * S("inv_output_scale")
     return floor * floor + relative * relative * S("activity")
