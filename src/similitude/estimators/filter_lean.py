@@ -156,7 +156,7 @@ def _correct(layout: Layout, H: Mapping[int, sp.Expr], early: Sequence[int]) -> 
     fast = [i for i in range(P.n) if i not in held]
     gained = S("gained")
     body = (
-        *_slow_weights(),
+        *_slow_weights(layout),
         Assign(gains[t].name, S(f"c_{t}") * S("inv_spread")),
         Assign("gained", gains[t] * S(f"c_{t}") * S("inv_P"), "share of the variance removed"),
         Assign("information", S("information") + gained * (1 + gained) * S("inv_P"), "1/variance gained"),
@@ -169,14 +169,14 @@ def _correct(layout: Layout, H: Mapping[int, sp.Expr], early: Sequence[int]) -> 
     return [When(S("excited") > 0, body, unheard, "heard of the samples before"), *always]
 
 
-def _slow_weights() -> list[Statement]:
+def _slow_weights(layout: Layout) -> list[Statement]:
     """What the innovation counts with for unknowns that cannot jump, and for those learnt now and then."""
+    slow = sp.Piecewise((S("inv_spread"), S("jump") <= 0), (0, True))
+    lines: list[Statement] = [Assign("learn_slow", slow, "a jump is not blamed on what cannot jump")]
+    if not layout.seldom:
+        return lines
     return [
-        Assign(
-            "learn_slow",
-            sp.Piecewise((S("inv_spread"), S("jump") <= 0), (0, True)),
-            "a jump is not blamed on what cannot jump",
-        ),
+        *lines,
         Assign("unlearnt", S("unlearnt") + dt),
         Assign("learn_seldom", sp.Integer(0)),
         When(

@@ -122,7 +122,11 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         *(further_variable(q) for q in layout.further),
         *(Field(f"d_{name}", "-", "change over the step") for name in layout.fast if layout.lean),
         *([Field("linear", "-", "1 in the model's linear range")] if layout.lean else []),
-        *([Field("learn_seldom", "-", "1/variance for what is learnt now and then")] if layout.lean else []),
+        *(
+            [Field("learn_seldom", "-", "1/variance for what is learnt now and then")]
+            if layout.lean and layout.seldom
+            else []
+        ),
     )
 
 
