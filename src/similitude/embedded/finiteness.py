@@ -102,6 +102,7 @@ def paper_bounds(library: Library, config: NDArray) -> Bounds:
         "mean_square": (0.0, 1.1 * residual**2),
         "weight": (0.0, 1.1 * kept),
         "information": (0.0, GROWN * 2.0 ** math.ceil(math.log2(gained) + 1)),
+        "log_variance": (0.0, n["variance_limit"]),
         f"last_{speed}": (slowest, fastest),
         "wait": (-0.5, n["settle_samples"] + 1),
     }

@@ -53,6 +53,7 @@ def state_fields(r: Regression) -> tuple[Field, ...]:
         Field("mean_square", f"({o.unit})^2", "mean square of the residual"),
         Field("weight", "-", "updates the mean square rests on"),
         Field("information", "-", f"information gained about ln {target.name}"),
+        Field("log_variance", "-", f"variance of ln {target.name} at the last update"),
         *section_fields("input", i.unit),
         *section_fields("output", o.unit),
         Field(f"last_{signal.name}", signal.unit, f"last {signal.meaning} fast enough to learn"),

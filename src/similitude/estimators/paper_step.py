@@ -36,6 +36,7 @@ def before_first(r: Regression) -> list[Statement]:
         "from_output": per_output,
         last: S(f"{r.speed}_least"),
         **{line.target: line.expression for line in _prior(r, S(last))},
+        "log_variance": S("variance_limit"),
         "wait": S("settle_samples") + 1,
     }
     names = [s.name for f in state_fields(r) for s in f.symbols]
@@ -57,8 +58,9 @@ def one_sample(r: Regression) -> list[Statement]:
     )
     nothing = (
         Assign("predicted", S("last_measured")),
+        Assign("expected", sp.Integer(0)),
         Assign("innovation", sp.Integer(0)),
-        Assign("gained", sp.Integer(0)),
+        Assign("learnt", sp.Integer(0)),
         Assign(INVERSE.name, 1 / last),
     )
     return [*time_gate(body, nothing), *_outputs(r)]
@@ -117,7 +119,7 @@ def _learn(r: Regression) -> list[Statement]:
     step = (S("residual") ** 2 - S("mean_square")) / S("weight")
     body = (
         Assign("innovation", S("residual")),
-        Assign("gained", S("expected") ** 2),
+        Assign("learnt", sp.Integer(1)),
         Assign("normal", forgetting * normal + phi**2 + S("normal_least")),
         Assign(moved.name, theta + S("residual") * phi / normal),
         When(
@@ -130,7 +132,7 @@ def _learn(r: Regression) -> list[Statement]:
         *_verdict(r),
     )
     otherwise = (
-        Assign("gained", sp.Integer(0)),
+        Assign("learnt", sp.Integer(0)),
         Assign("innovation", sp.Piecewise((S("residual"), WAS_USABLE), (0, True))),
         When(S("weight") < HALF, tuple(_prior(r, S("scale_now"))), (), "nothing was learnt yet"),
     )
@@ -163,12 +165,18 @@ def _outputs(r: Regression) -> list[Statement]:
             sp.Max(S("mean_square"), S("noise_variance")),
             "never below the sensor's share",
         ),
-        Assign("information", S("information") + S("gained") / S("innovation_variance")),
-        Assign("information_gained", S("information")),
-        Assign("variance", limit),
         When(
-            S("weight") > HALF, (Assign("scatter", scatter), Assign("variance", sp.Min(S("scatter"), limit)))
+            S("learnt") > HALF,
+            (
+                Assign("information", S("information") + S("expected") ** 2 / S("innovation_variance")),
+                Assign("scatter", scatter),
+                Assign("log_variance", sp.Min(S("scatter"), limit)),
+            ),
+            (),
+            "nothing was learnt: nothing is known otherwise than before",
         ),
+        Assign("information_gained", S("information")),
+        Assign("variance", S("log_variance")),
     ]
 
 

@@ -6,8 +6,8 @@
  *   m1/T = pi1/pi5
  *   m2/T = (pi1**2 + pi4_slope*(pi1 - 1)**2 + pi5*(pi4_slope + 1))/pi5
  *
- * Operations: step 93 at most, 12 at least (arithmetic, comparisons, selects), init 23.
- * Memory: state 21 reals, configuration 27 reals; no heap, no globals, no libm, C99.
+ * Operations: step 93 at most, 10 at least (arithmetic, comparisons, selects), init 23.
+ * Memory: state 22 reals, configuration 27 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -95,6 +95,7 @@ typedef struct bicycle_paper_state {
     bicycle_paper_real mean_square;                  /* [(rad/s)^2] mean square of the residual */
     bicycle_paper_real weight;                       /* [-] updates the mean square rests on */
     bicycle_paper_real information;                  /* [-] information gained about ln K */
+    bicycle_paper_real log_variance;                 /* [-] variance of ln K at the last update */
     bicycle_paper_real last_input;                   /* [rad] last usable input */
     bicycle_paper_real input_change;                 /* [rad] its last change */
     bicycle_paper_real input_1;                      /* [rad] what the first section holds of it */
@@ -139,6 +140,7 @@ SIMILITUDE_API void bicycle_paper_init(const bicycle_paper_config *config, bicyc
     state->mean_square = R(0.0);
     state->weight = R(0.0);
     state->information = R(0.0);
+    state->log_variance = config->variance_limit;
     state->last_input = R(0.0);
     state->input_change = R(0.0);
     state->input_1 = R(0.0);
@@ -159,12 +161,13 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
                                      const bicycle_paper_sample *sample, bicycle_paper_output *output)
 {
     bicycle_paper_real estimate = R(0.0);
-    bicycle_paper_real gained = R(0.0);
+    bicycle_paper_real expected = R(0.0);
     bicycle_paper_real information_gained = R(0.0);
     bicycle_paper_real innovation = R(0.0);
     bicycle_paper_real innovation_variance = R(0.0);
     bicycle_paper_real input_step = R(0.0);
     bicycle_paper_real inverse = R(0.0);
+    int learnt = 0;
     bicycle_paper_real output_step = R(0.0);
     bicycle_paper_real pi3 = R(0.0);
     bicycle_paper_real predicted = R(0.0);
@@ -237,13 +240,13 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
         state->output_1_change = output_1_now;
         const bicycle_paper_real output_2_now = output_bend_1 + state->output_2_change*config->poles_2[1] - state->output_2*config->poles_2[0];
         const bicycle_paper_real phi = state->from_input*state->input_2_change - state->from_output*inverse*state->output_2_change; /* regressor, eqs 25-26 */
-        const bicycle_paper_real expected = phi*state->theta;
+        expected = phi*state->theta;
         const bicycle_paper_real y = output_2_now - state->output_2_change; /* second difference, eq 24 */
         const bicycle_paper_real residual = y - expected;
         predicted = y_now - residual; /* the newest output has weight one in y */
         if ((BEYOND(y_now, config->dead_zone)) && (waiting < R(0.5))) { /* outside the dead zone, filters settled */
             innovation = residual;
-            gained = (expected*expected);
+            learnt = 1;
             state->normal = config->normal_least + (phi*phi) + config->forgetting*state->normal;
             const bicycle_paper_real moved = state->theta + phi*residual/state->normal;
             if (WITHIN(moved, config->K_limit)) {
@@ -258,7 +261,7 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
                 status = 2;
             }
         } else {
-            gained = R(0.0);
+            learnt = 0;
             innovation = (config->settle_samples >= waiting ? residual : R(0.0));
             if (state->weight < R(0.5)) { /* nothing was learnt yet */
                 state->theta = config->pi3_start*(scale_now*scale_now);
@@ -271,8 +274,9 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
         state->output_2_change = output_2_now;
     } else {
         predicted = state->last_measured;
+        expected = R(0.0);
         innovation = R(0.0);
-        gained = R(0.0);
+        learnt = 0;
         inverse = (R(1.0)/state->last_U);
     }
     if (state->theta > config->K_low) { /* no stiffness is zero or less */
@@ -285,13 +289,13 @@ SIMILITUDE_INLINE int bicycle_paper_advance(const bicycle_paper_config *config, 
     }
     pi3 = estimate*(inverse*inverse);
     innovation_variance = ((state->mean_square) > (config->noise_variance) ? state->mean_square : config->noise_variance); /* never below the sensor's share */
-    state->information = state->information + gained/innovation_variance;
-    information_gained = state->information;
-    variance = config->variance_limit;
-    if (state->weight > R(0.5)) {
+    if (learnt > 0) { /* nothing was learnt: nothing is known otherwise than before */
+        state->information = state->information + (expected*expected)/innovation_variance;
         const bicycle_paper_real scatter = innovation_variance/((estimate*estimate)*state->normal);
-        variance = ((scatter) < (config->variance_limit) ? scatter : config->variance_limit);
+        state->log_variance = ((scatter) < (config->variance_limit) ? scatter : config->variance_limit);
     }
+    information_gained = state->information;
+    variance = state->log_variance;
 
     output->estimate = estimate;
     output->variance = variance;

@@ -50,6 +50,7 @@ STATE = (
     ('mean_square', '(rad/s)^2', 'mean square of the residual', 1),
     ('weight', '-', 'updates the mean square rests on', 1),
     ('information', '-', 'information gained about ln K', 1),
+    ('log_variance', '-', 'variance of ln K at the last update', 1),
     ('last_input', 'rad', 'last usable input', 1),
     ('input_change', 'rad', 'its last change', 1),
     ('input_1', 'rad', 'what the first section holds of it', 1),
@@ -94,6 +95,7 @@ def init(config):
     pi3_start = config[9]
     normal_start = config[10]
     settle_samples = config[14]
+    variance_limit = config[18]
     U_least = config[21]
     last_U = U_least
     from_input = pi1*sample_time/((L*L)*pi5)
@@ -103,6 +105,7 @@ def init(config):
     mean_square = 0.0
     weight = 0.0
     information = 0.0
+    log_variance = variance_limit
     last_input = 0.0
     input_change = 0.0
     input_1 = 0.0
@@ -116,7 +119,7 @@ def init(config):
     output_2 = 0.0
     output_2_change = 0.0
     wait = 1.0 + settle_samples
-    return [from_input, from_output, theta, normal, mean_square, weight, information, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
+    return [from_input, from_output, theta, normal, mean_square, weight, information, log_variance, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
 
 
 def step(config, state, sample):
@@ -155,27 +158,29 @@ def step(config, state, sample):
     mean_square = state[4]
     weight = state[5]
     information = state[6]
-    last_input = state[7]
-    input_change = state[8]
-    input_1 = state[9]
-    input_1_change = state[10]
-    input_2 = state[11]
-    input_2_change = state[12]
-    last_measured = state[13]
-    output_change = state[14]
-    output_1 = state[15]
-    output_1_change = state[16]
-    output_2 = state[17]
-    output_2_change = state[18]
-    last_U = state[19]
-    wait = state[20]
+    log_variance = state[7]
+    last_input = state[8]
+    input_change = state[9]
+    input_1 = state[10]
+    input_1_change = state[11]
+    input_2 = state[12]
+    input_2_change = state[13]
+    last_measured = state[14]
+    output_change = state[15]
+    output_1 = state[16]
+    output_1_change = state[17]
+    output_2 = state[18]
+    output_2_change = state[19]
+    last_U = state[20]
+    wait = state[21]
     estimate = 0.0
-    gained = 0.0
+    expected = 0.0
     information_gained = 0.0
     innovation = 0.0
     innovation_variance = 0.0
     input_step = 0.0
     inverse = 0.0
+    learnt = 0.0
     output_step = 0.0
     pi3 = 0.0
     predicted = 0.0
@@ -244,7 +249,7 @@ def step(config, state, sample):
         predicted = y_now - residual  # the newest output has weight one in y
         if (abs(y_now) > dead_zone) and (waiting < 0.5):  # outside the dead zone, filters settled
             innovation = residual
-            gained = (expected*expected)
+            learnt = 1.0
             normal = normal_least + (phi*phi) + forgetting*normal
             moved = theta + phi*residual/normal
             if abs(moved) < K_limit:
@@ -257,7 +262,7 @@ def step(config, state, sample):
             if abs(scale_now*y_now) > validity_limit:
                 status = 2.0
         else:
-            gained = 0.0
+            learnt = 0.0
             innovation = (residual if settle_samples >= waiting else 0.0)
             if weight < 0.5:  # nothing was learnt yet
                 theta = pi3_start*(scale_now*scale_now)
@@ -268,8 +273,9 @@ def step(config, state, sample):
         output_2_change = output_2_now
     else:
         predicted = last_measured
+        expected = 0.0
         innovation = 0.0
-        gained = 0.0
+        learnt = 0.0
         inverse = (1.0/last_U)
     if theta > K_low:  # no stiffness is zero or less
         estimate = theta
@@ -279,11 +285,11 @@ def step(config, state, sample):
             status = 3.0
     pi3 = estimate*(inverse*inverse)
     innovation_variance = (mean_square if (mean_square) > (noise_variance) else noise_variance)  # never below the sensor's share
-    information = information + gained/innovation_variance
-    information_gained = information
-    variance = variance_limit
-    if weight > 0.5:
+    if learnt > 0.5:  # nothing was learnt: nothing is known otherwise than before
+        information = information + (expected*expected)/innovation_variance
         scatter = innovation_variance/((estimate*estimate)*normal)
-        variance = (scatter if (scatter) < (variance_limit) else variance_limit)
-    state[:] = [from_input, from_output, theta, normal, mean_square, weight, information, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
+        log_variance = (scatter if (scatter) < (variance_limit) else variance_limit)
+    information_gained = information
+    variance = log_variance
+    state[:] = [from_input, from_output, theta, normal, mean_square, weight, information, log_variance, last_input, input_change, input_1, input_1_change, input_2, input_2_change, last_measured, output_change, output_1, output_1_change, output_2, output_2_change, last_U, wait]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi3]
