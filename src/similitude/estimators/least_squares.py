@@ -64,9 +64,9 @@ def score(psi: sp.Expr, residual: sp.Expr) -> list[Statement]:
 def scatter(psi: sp.Expr, normal: sp.Expr, per: sp.Expr) -> list[Statement]:
     """Variance of the estimate's logarithm, and the information this sample added.
 
-    ``normal`` = A; ``per`` = d(estimate)/d(its logarithm), squared.
+    ``normal`` = A, which the caller knows to be positive; ``per`` = d(estimate)/d(its logarithm), squared.
     """
-    enough = sp.And(S("blocks") > FEWEST, S("scatter_weight") > BLOCKS_SHARE * normal, normal > 0)
+    enough = sp.And(S("blocks") > FEWEST, S("scatter_weight") > BLOCKS_SHARE * normal)
     spread = S("scatter_sum") / S("scatter_weight")
     raised = S("spread") * (1 + SMALL_SAMPLE / S("blocks")) / (normal * per)
     return [

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_output_error'
-OPERATIONS = 394
+OPERATIONS = 393
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -385,7 +385,7 @@ def step(config, state, sample):
                 block_score = 0.0
                 block_weight = 0.0
                 block_age = 0.0
-            if (A > 0.0) and (blocks > 2.5) and (scatter_weight > 0.015625*A):  # enough blocks
+            if (blocks > 2.5) and (scatter_weight > 0.015625*A):  # enough blocks
                 spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                 log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/A) else spread*(1.0 + 5.0/blocks)/A)
                 told = (psi*psi)/spread  # by this sample

@@ -8,7 +8,7 @@
  *   K1 = -(eta - 1)/(rho*(pi1 - 1))
  *   K2 = eta/(rho*(pi1 - 1)**2), G2 = eta/(rho*(pi1 - 1)**2)
  *
- * Operations: step 640 at most, 8 at least (arithmetic, comparisons, selects), init 38.
+ * Operations: step 638 at most, 8 at least (arithmetic, comparisons, selects), init 38.
  * Memory: state 53 reals, configuration 39 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -386,7 +386,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                                 state->block_weight = R(0.0);
                                 state->block_age = R(0.0);
                             }
-                            if ((d_3 > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*d_3)) { /* enough blocks */
+                            if ((state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*d_3)) { /* enough blocks */
                                 spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3));
                                 const bicycle_robust_real told = (state->K*state->K)*(w_3*w_3)/spread; /* by this sample */
@@ -466,7 +466,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                         state->block_weight = R(0.0);
                         state->block_age = R(0.0);
                     }
-                    if ((normal > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*normal)) { /* enough blocks */
+                    if ((state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*normal)) { /* enough blocks */
                         spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                         state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal));
                         const bicycle_robust_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */
