@@ -21,8 +21,9 @@ DESIGN = {
     "age_most": 10.0,  # s: what takes longer is not a jump; the reference follows it
     "gain_rate": 1 / 0.1,  # 1/s
     "gain_most": 60.0,  # 1/s: a kerb is over after a tenth of a second
-    "piece_most": 5.7,  # so it takes two half-waves
-    "gust_output": 0.011,  # rad/s: 0.6 deg/s within a half-wave is more than a gust does
+    "piece_most": 5.2,  # so it takes two half-waves
+    "piece_share": 0.04,  # or one that says 25 times as much again
+    "piece_fit": 0.15,
     "size_least": 0.3,  # ln: less than 26 % is not looked for
     "size_most": 1.2,  # ln: a factor of 3.3
     "size_large": 0.6,  # ln: 45 %
@@ -37,6 +38,7 @@ DESIGN = {
     "score_rate": 1.0,  # 1/s
     "distrust_rate": 1 / 60.0,  # 1/s
     "distrust_share": 0.3,
+    "sizes_squared": 16.0,  # four sd: less may be the reference's error
     "reference_rate": 1 / 15.0,  # 1/s: slow against an alarm, fast against tyres that warm up
     "known_least": 500.0,  # sd of 4 %, the other unknowns given
     "variance_most": 0.20**2,  # a little more than the verdict "identified" allows
