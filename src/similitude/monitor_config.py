@@ -38,7 +38,7 @@ DESIGN = {
     "score_rate": 1.0,  # 1/s
     "distrust_rate": 1 / 60.0,  # 1/s
     "distrust_share": 0.3,
-    "sizes_squared": 16.0,  # four sd: less may be the reference's error
+    "sizes_squared": 9.0,  # three sd: less may be the reference's error
     "reference_rate": 1 / 15.0,  # 1/s: slow against an alarm, fast against tyres that warm up
     "known_least": 500.0,  # sd of 4 %, the other unknowns given
     "variance_most": 0.20**2,  # a little more than the verdict "identified" allows
