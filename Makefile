@@ -58,7 +58,7 @@ damage: $(DEV)
 embedded: $(DEV)
 	$(BIN)/python scripts/embedded.py
 	$(BIN)/python scripts/embedded_static.py
-	$(BIN)/python scripts/embedded_decisions.py --quick
+	$(BIN)/python scripts/embedded_decisions.py
 
 populations: $(DEV)
 	$(BIN)/python scripts/build_populations.py

@@ -7,7 +7,7 @@ Each check runs where its tool is present and says so in a line where it is not:
     sanitizers    address and undefined behaviour over a million random samples
     branches      gcov over the self-test and 300,000 random samples
     Frama-C Eva   no alarm for any bits of a sample, for ever; and an alarm in a file made to have one;
-                  numbers of `paper` that stay finite, and an alarm without its gate
+                  numbers of `paper` and `band` that stay finite, and an alarm without a gate
 
     python scripts/embedded_static.py [--only ESTIMATOR] [--no-eva]
 """
@@ -23,9 +23,10 @@ import tempfile
 from pathlib import Path
 
 from similitude.embedded.configuration import find_numbers
-from similitude.embedded.finiteness import BOUNDS, FINITE, finite_text
+from similitude.embedded.finiteness import FINITE, finite_text
 from similitude.embedded.fixed_profile import FIXED
 from similitude.embedded.folder import export
+from similitude.embedded.state_bounds import BOUNDS
 from similitude.embedded.system import SHIPPED, find_source
 from similitude.embedded.targets import CONTRACT_OFF, STRICT
 
@@ -183,10 +184,10 @@ def finite(name: str, folder: Path, system: str, estimator: str) -> list[str]:
         return []
     source = find_source(system, estimator)
     numbers = find_numbers(source, vehicle=None, sample_time=None)
-    (folder / FINITE).write_text(finite_text(source.library(), numbers.values, estimator))
+    bounds = BOUNDS[estimator](source.library(), numbers.values)
+    (folder / FINITE).write_text(finite_text(source.library(), numbers.values, bounds))
     text = (folder / f"{name}.c").read_text()
-    gate = "WITHIN(sample->input, config->input_limit)"
-    (folder / "ungated.c").write_text(text.replace(gate, "(sample->dt > R(0.0))"))
+    (folder / "ungated.c").write_text(text.replace("config->input_limit", "R(3.4e38)"))
     within = _finite_alarms(folder, f"{name}.c", "non-finite", "-cpp-extra-args=-DGATED")
     anything = _finite_alarms(folder, f"{name}.c", "none")
     control = _finite_alarms(folder, "ungated.c", "none")

@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import least_squares
 
 from similitude import batch_fit
-from similitude.batch_fit import bounded_step, fit_batch
+from similitude.batch_fit import bounded_step, climb_roughly, fit_batch
 from similitude.units import Uncertain
 
 from .filter_rig import CAR as PRIOR
@@ -192,6 +192,22 @@ def test_a_long_log_loses_next_to_nothing_by_its_means():
     full = np.sqrt(np.diag(np.linalg.inv(at.information(1.0) + np.linalg.inv(whole.prior.covariance))))
     assert abs(step[0]) < 0.3 * full[0]
     assert short.std[0] == pytest.approx(full[0], rel=0.15)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_rough_climb_ends_near_the_fit_and_no_other_car_costs_less(seed):
+    found = fitted(drive(seconds=60, seed=seed))
+    middle = found.frozen.coordinates(found.frozen.prior.mean)
+
+    x, cost = climb_roughly(found.frozen, middle, found.scales)
+    again, lowest = climb_roughly(found.frozen, found.x, found.scales)
+
+    away = x - found.x
+    assert (
+        away @ np.linalg.solve(found.covariance, away) < 6
+    )  # 6 coordinates: as far as chance puts the truth
+    assert cost == pytest.approx(lowest, abs=0.1)  # wherever it starts
+    assert again == pytest.approx(x, abs=found.std.max())
 
 
 def test_steps_stop_at_limits_and_the_rest_follows():

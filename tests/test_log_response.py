@@ -185,6 +185,14 @@ def test_a_standing_car_says_nothing(quiet):
     assert Vehicle("car").L is None
 
 
+def test_a_steer_that_is_missing_wherever_the_car_moves_says_nothing(quiet):
+    values = values_of(quiet)
+    moving = np.arange(quiet.samples) % 2 == 0
+
+    with np.errstate(all="raise"):
+        assert not check(values | {"U": values["U"] * moving, "delta": np.where(moving, np.nan, 0.01)})
+
+
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_slalom_of_one_frequency_with_a_turned_sign_gets_a_word(sign):
     """Sines of equal frequency may be alike by chance, so it is not refused; nor is it passed over."""

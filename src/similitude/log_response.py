@@ -125,8 +125,11 @@ def check_response(
         if any(one.certain for one in found):
             return found  # yaw rate or speed is wrong; against the steer it would be wrong again
     asked = np.where(moving, values["U"] * values["delta"] / (wheelbase or 1.0), np.nan)
+    steered = np.isfinite(asked)
+    if not steered.any():
+        return found
     relation = relate(values["t"], asked, values["r"], level_counts=False)
-    steer = float(np.sqrt(np.nanmean(np.where(moving, values["delta"], np.nan) ** 2)))
+    steer = float(np.sqrt(np.mean(values["delta"][steered] ** 2)))
     if steer > LARGE_STEER and (relation is None or not relation.counts):
         relation = relate(values["t"], asked, values["r"], level_counts=True)  # driven in a circle
     if relation is None:

@@ -20,7 +20,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from similitude.batch_fit import BatchFit, fit_batch
+from similitude.batch_fit import BatchFit, climb_roughly, fit_batch
 from similitude.batch_slopes import OUTLIER, Whitened, whiten
 from similitude.errors import shown
 from similitude.filter_run import side_by_side
@@ -38,6 +38,7 @@ USUAL = (
 )
 EXPLAINED = 3.0  # w'
 LEAST_GAIN = 2.0  # odds of seven to one, for a word
+ROUGH = 2.0  # by how much a rough climb may be against a unit that the fit would be for
 SHARED = 0.9  # of the rows that taught; below, the car would be too slow for its tyres to show
 LONGEST = 60.0  # s of the log that are fitted again: those in which most was steered
 
@@ -64,8 +65,11 @@ def speed_unit_doubts(ready: Prepared, batch: BatchFit | None) -> tuple[Finding,
     log = ready.setup.log
     if log.duration > LONGEST:
         ready = replace(ready, setup=replace(ready.setup, log=_most_steered(log)))
+    others = _worth_a_fit(ready, batch, _others(_claimed(log)))
+    if not others:
+        return ()
+    if log.duration > LONGEST:
         batch = whole_log(ready, ready.setup.run())
-    others = _others(_claimed(log))
     fits = side_by_side([lambda factor=factor: _at_other_speed(ready, factor) for factor, _, _ in others])
     room = distance(batch) if ready.commanded else max(USUAL, distance(batch))
     gains = [gain(batch, fit) if _explains(fit, room) else -np.inf for fit in fits]
@@ -88,6 +92,23 @@ def speed_unit_doubts(ready: Prepared, batch: BatchFit | None) -> tuple[Finding,
         f"--fix {fix}" if fix else f"log['{header}'] *= {factor:.4g}", READ,
         column=header, value=sure, fix=fix,
     ),)  # fmt: skip
+
+
+def _worth_a_fit(
+    ready: Prepared, batch: BatchFit, others: list[tuple[float, str, str | None]]
+) -> list[tuple[float, str, str | None]]:
+    """Those of the other units that a rough climb, which is lenient by `ROUGH` odds, does not rule out."""
+
+    def least_cost(factor: float, start: np.ndarray) -> float:
+        frozen = replace(batch.frozen, setup=_faster(ready, factor).setup)
+        return climb_roughly(frozen, start, batch.scales)[1]
+
+    middle = batch.frozen.coordinates(batch.frozen.prior.mean)
+    here, *there = side_by_side(
+        [lambda: least_cost(1.0, batch.x)]
+        + [lambda factor=factor: least_cost(factor, middle) for factor, _, _ in others]
+    )
+    return [one for one, cost in zip(others, there, strict=True) if (here - cost) / batch.widened > -ROUGH]
 
 
 def _others(claimed: float) -> list[tuple[float, str, str | None]]:
@@ -145,10 +166,14 @@ def _loss(one: Whitened) -> np.ndarray:
     return 0.5 * (np.minimum(size, OUTLIER) + OUTLIER * np.log(beyond / OUTLIER) + np.log(one.S))
 
 
-def _at_other_speed(ready: Prepared, factor: float) -> BatchFit:
+def _faster(ready: Prepared, factor: float) -> Prepared:
     log = ready.setup.log
-    setup = replace(ready.setup, log=replace(log, U=log.U * factor))
-    return whole_log(replace(ready, setup=setup), setup.run())
+    return replace(ready, setup=replace(ready.setup, log=replace(log, U=log.U * factor)))
+
+
+def _at_other_speed(ready: Prepared, factor: float) -> BatchFit:
+    ready = _faster(ready, factor)
+    return whole_log(ready, ready.setup.run())
 
 
 def _claimed(log: Log) -> float:

@@ -145,10 +145,14 @@ def test_a_cross_check_is_told_with_both_numbers_and_how_far_apart_they_are(exam
 
     K = SimpleNamespace(value=118.0, std=9.0, lo=101.0, hi=137.0, unit="m^2/s^2")
     run.cross_check = SimpleNamespace(
-        K=K, population=run.K, apart=-0.31, std=0.06, average_apart=-0.2, average_std=0.11, unknowns=4,
+        K=K, population=run.K, apart=-0.31, std=0.2, average_apart=-0.2, average_std=0.11, unknowns=4,
         structure_error=False,
     )  # fmt: skip
     assert "Two estimators of different kinds agree" in told(run).text
+    run.cross_check.std = 0.12
+    said = told(run).text
+    assert "agree" not in said and "2.6 sd apart" in said and "less than the 3" in said
+    run.cross_check.std = 0.06
     run.cross_check.structure_error = True
     said = told(run).text
     assert "disagree" in said and "−31.0 %" in said and "5.2 sd" in said

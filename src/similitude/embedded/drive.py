@@ -29,7 +29,7 @@ def self_test_rows(source: Source, library: Library, config: NDArray, sample_tim
     taken = names[:FED] if fed else names  # the rest of a monitor's sample is what its filter hands out
     rows = _excited(library, config, sample_time, taken)
     rows = np.vstack([rows[:CLEAN], _faults(rows[CLEAN - 1], taken), rows[CLEAN:]])
-    return _monitored(rows, names) if fed else rows
+    return monitored(rows, names) if fed else rows
 
 
 def _limit(library: Library, config: NDArray, name: str, otherwise: float) -> float:
@@ -84,8 +84,13 @@ def _faults(last: NDArray, names: list[str]) -> NDArray:
     return np.vstack([*rows, late])
 
 
-def _monitored(rows: NDArray, names: list[str]) -> NDArray:
-    """The monitor's rows: the samples, the filter's status, and what the filter handed out."""
+def monitored(rows: NDArray, names: list[str]) -> NDArray:
+    """The monitor's rows: the filter's samples (n, 4), its status, and what it handed out.
+
+    Parameters
+    ----------
+    names : of the fields of a monitor's sample.
+    """
     source = find_source("bicycle", "population")
     library = source.library()
     config = find_numbers(source, vehicle=None, sample_time=None).values

@@ -21,6 +21,7 @@ from similitude.estimators.held_sample import S
 from similitude.program.ir import Assign, Field, Statement, When
 
 FEWEST = sp.Rational(5, 2)  # blocks, and half of one, before a scatter is believed
+BLOCKS_SHARE = sp.Rational(1, 64)  # of A that the blocks must hold: S is no quotient of next to nothing
 SMALL_SAMPLE = 5  # variance x (1 + 5/n) for n blocks: within a fifth of Student's t for n >= 3
 
 
@@ -63,9 +64,9 @@ def score(psi: sp.Expr, residual: sp.Expr) -> list[Statement]:
 def scatter(psi: sp.Expr, normal: sp.Expr, per: sp.Expr) -> list[Statement]:
     """Variance of the estimate's logarithm, and the information this sample added.
 
-    ``normal`` = A; ``per`` = d(estimate)/d(its logarithm), squared.
+    ``normal`` = A, which the caller knows to be positive; ``per`` = d(estimate)/d(its logarithm), squared.
     """
-    enough = sp.And(S("blocks") > FEWEST, S("scatter_weight") > 0, normal > 0)
+    enough = sp.And(S("blocks") > FEWEST, S("scatter_weight") > BLOCKS_SHARE * normal)
     spread = S("scatter_sum") / S("scatter_weight")
     raised = S("spread") * (1 + SMALL_SAMPLE / S("blocks")) / (normal * per)
     return [

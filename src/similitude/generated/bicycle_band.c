@@ -293,7 +293,7 @@ SIMILITUDE_INLINE int bicycle_band_advance(const bicycle_band_config *config, bi
                     state->block_weight = R(0.0);
                     state->block_age = R(0.0);
                 }
-                if ((state->A > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                if ((state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*state->A)) { /* enough blocks */
                     spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                     state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K))) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/(state->A*(state->K*state->K)));
                     const bicycle_band_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */

@@ -385,7 +385,7 @@ def step(config, state, sample):
                 block_score = 0.0
                 block_weight = 0.0
                 block_age = 0.0
-            if (A > 0.0) and (blocks > 2.5) and (scatter_weight > 0.0):  # enough blocks
+            if (blocks > 2.5) and (scatter_weight > 0.015625*A):  # enough blocks
                 spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                 log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/A) else spread*(1.0 + 5.0/blocks)/A)
                 told = (psi*psi)/spread  # by this sample

@@ -386,7 +386,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                                 state->block_weight = R(0.0);
                                 state->block_age = R(0.0);
                             }
-                            if ((d_3 > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                            if ((state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*d_3)) { /* enough blocks */
                                 spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                                 state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*d_3));
                                 const bicycle_robust_real told = (state->K*state->K)*(w_3*w_3)/spread; /* by this sample */
@@ -466,7 +466,7 @@ SIMILITUDE_INLINE int bicycle_robust_advance(const bicycle_robust_config *config
                         state->block_weight = R(0.0);
                         state->block_age = R(0.0);
                     }
-                    if ((normal > R(0.0)) && (state->blocks > R(2.5)) && (state->scatter_weight > R(0.0))) { /* enough blocks */
+                    if ((state->blocks > R(2.5)) && (state->scatter_weight > R(0.015625)*normal)) { /* enough blocks */
                         spread = ((config->scatter_low) > (state->scatter_sum/state->scatter_weight) ? config->scatter_low : state->scatter_sum/state->scatter_weight); /* variance of the residual as felt */
                         state->log_variance = ((config->variance_limit) < (spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal)) ? config->variance_limit : spread*(R(1.0) + R(5.0)/state->blocks)/((state->K*state->K)*normal));
                         const bicycle_robust_real told = (state->K*state->K)*(psi*psi)/spread; /* by this sample */

@@ -441,7 +441,7 @@ def step(config, state, sample):
                                 block_score = 0.0
                                 block_weight = 0.0
                                 block_age = 0.0
-                            if (blocks > 2.5) and (d_3 > 0.0) and (scatter_weight > 0.0):  # enough blocks
+                            if (blocks > 2.5) and (scatter_weight > 0.015625*d_3):  # enough blocks
                                 spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                                 log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/((K*K)*d_3)) else spread*(1.0 + 5.0/blocks)/((K*K)*d_3))
                                 told = (K*K)*(w_3*w_3)/spread  # by this sample
@@ -507,7 +507,7 @@ def step(config, state, sample):
                         block_score = 0.0
                         block_weight = 0.0
                         block_age = 0.0
-                    if (blocks > 2.5) and (normal > 0.0) and (scatter_weight > 0.0):  # enough blocks
+                    if (blocks > 2.5) and (scatter_weight > 0.015625*normal):  # enough blocks
                         spread = (scatter_low if (scatter_low) > (scatter_sum/scatter_weight) else scatter_sum/scatter_weight)  # variance of the residual as felt
                         log_variance = (variance_limit if (variance_limit) < (spread*(1.0 + 5.0/blocks)/((K*K)*normal)) else spread*(1.0 + 5.0/blocks)/((K*K)*normal))
                         told = (K*K)*(psi*psi)/spread  # by this sample

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from similitude.cross_check import APART
 from similitude.report import html_tables
 from similitude.report.alarm_words import alarm_lines, known_lines
 from similitude.report.cost_curve import cost_curve
@@ -48,6 +49,7 @@ TONES = {
     "diverged": "bad",
 }
 GRAVITY = 9.80665  # m/s^2
+AGREED = 2.0  # sd between two estimators up to which they are said to agree
 
 
 def html_report(run: Run, record: Mapping[str, Any]) -> str:
@@ -146,12 +148,18 @@ def _estimate(run: Run, charts: Mapping[str, Chart]) -> Html:
 
 def _cross_check(check: CrossCheck) -> Html:
     """One sentence on whether two estimators of different kinds agree, and both numbers."""
+    apart = abs(check.apart) / check.std
     told = (
         f"They differ by {100 * check.apart:+.1f} %, with an sd of {100 * check.std:.1f} % were both right: "
     )
-    told += f"{abs(check.apart) / check.std:.1f} sd; with the population's average groups in robust "
+    told += f"{apart:.1f} sd; with the population's average groups in robust "
     told += f"{abs(check.average_apart) / check.average_std:.1f} sd."
     what = "Two estimators of different kinds agree."
+    if apart > AGREED:
+        what = (
+            f"Two estimators of different kinds lie {apart:.1f} sd apart: more than usual, less than the "
+            f"{APART:.0f} from which it is called an error of the structure."
+        )
     if check.structure_error:
         what = "Two estimators of different kinds disagree: an error of the structure, see the warnings."
     shown = html_tables.cross_check_table(check)
