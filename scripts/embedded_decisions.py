@@ -5,8 +5,8 @@ A condition is shown where samples were seen with it true and with it false, eac
 it over alone turns the decision (masking MC/DC). Counted on the Python twin, whose text has the C's decisions
 and whose bits are the C's. Samples: the self-test's, a rough drive's (for the monitor one on which K changes,
 too), and single steps from states, configurations and samples of those drives with a few numbers of each
-scaled or set to zero, since a step must be right from any state it is handed. What is left is printed,
-and fails.
+scaled or set to zero, since a step must be right from any state it is handed; where something is seen that
+was rare, more is changed from there on. What is left is printed, and fails.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import argparse
 import ast
 import sys
 import types
+from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
@@ -30,7 +31,8 @@ from similitude.embedded.system import SHIPPED, find_source
 from similitude.program.library import Library
 
 SAMPLES, SINGLE = 10_000, 40_000  # rows of the rough drive, single steps
-PARTS = 400  # of the drive: a state is kept after each
+CHANGED = 3, 5, 2  # numbers of a configuration, a state and a sample that are changed, fewer than
+EVERY, FEW = 50, 5  # of how many rows a state is kept; and where something is seen for the first few times
 FACTORS = (0.0, -1.0, 1e-6, 1e-3, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0, 1e3, 1e6)
 
 
@@ -42,7 +44,8 @@ class Watch(ast.NodeTransformer):
         self.texts: list[list[str]] = []
         self.trees: list[ast.expr] = []
         self.leaves: list[list[ast.expr]] = []
-        self.seen: list[set[tuple[bool, ...]]] = []
+        self.seen: list[Counter[tuple[bool, ...]]] = []
+        self.rare = False  # whether something was seen that had been seen a few times at most
 
     def _test(self, test: ast.expr) -> ast.expr:
         leaves = _leaves(test)
@@ -50,7 +53,7 @@ class Watch(ast.NodeTransformer):
         self.texts.append([self.plain.get(id(x), "?") for x in leaves])
         self.trees.append(test)
         self.leaves.append(leaves)
-        self.seen.append(set())
+        self.seen.append(Counter())
         values = ast.Tuple([ast.Call(ast.Name("bool", ast.Load()), [x], []) for x in leaves], ast.Load())
         return ast.Call(ast.Name("_record", ast.Load()), [ast.Constant(number), values], [])
 
@@ -68,7 +71,8 @@ class Watch(ast.NodeTransformer):
 
     def record(self, number: int, values: tuple[bool, ...]) -> bool:
         """Remember what the conditions of a test were; its outcome."""
-        self.seen[number].add(values)
+        self.seen[number][values] += 1
+        self.rare |= self.seen[number][values] <= FEW
         return outcome(self.trees[number], values)
 
     def unshown(self) -> list[tuple[int, str]]:
@@ -121,20 +125,33 @@ def watched(text: str, name: str) -> tuple[Watch, types.ModuleType]:
     return watch, layout
 
 
-def singly(library: Library, config: np.ndarray, states: np.ndarray, rows: np.ndarray, steps: int) -> None:
-    """Single steps from states, with configurations and samples, of which a few numbers are changed."""
+def driven(library: Library, watch: Watch, config: np.ndarray, rows: np.ndarray) -> list[tuple]:
+    """Steps over a drive; what some of them started from, and all in which something rare is seen."""
+    state, kept = library.start(config), []
+    for i, row in enumerate(rows):
+        before, watch.rare = (config, state.copy(), row), False
+        library.run(config, state, row[None])
+        if watch.rare or i % EVERY == 0:
+            kept.append(before)
+    return kept
+
+
+def singly(library: Library, watch: Watch, kept: list[tuple], steps: int) -> None:
+    """Single steps from what was kept with a few numbers changed; what shows something rare is kept, too."""
     rng = np.random.default_rng(0)
-    usual = rows[np.isfinite(rows).all(axis=1)]
     for _ in range(steps):
-        row, told = usual[rng.integers(len(usual))].copy(), config.copy()
-        state = states[rng.integers(len(states))].copy()
-        for values, most in ((told, 3), (state, 5), (row, 2)):
+        changed = tuple(values.copy() for values in kept[rng.integers(len(kept))])
+        for values, most in zip(changed, CHANGED, strict=True):
             at = rng.integers(len(values), size=rng.integers(most))
             values[at] *= rng.choice(FACTORS, size=len(at))
+        told, state, row = changed
+        watch.rare = False
         try:
-            library.run(told, state, row[None])
+            library.run(told, state.copy(), row[None])
         except ArithmeticError:  # a float of Python does not divide by zero; the tests before it were seen
             continue
+        if watch.rare:
+            kept.append(changed)
 
 
 def drive_of(estimator: str, names: list[str]) -> np.ndarray:
@@ -149,10 +166,10 @@ def drive_of(estimator: str, names: list[str]) -> np.ndarray:
 
 
 def changing_drive() -> np.ndarray:
-    """Rows (n, 4) of a filter's samples of a drive whose K is halved twice and comes back."""
+    """Rows (n, 4) of a filter's samples of a drive whose K is halved twice and grows twice."""
     parts = [
         drive(seconds=seconds, rms=0.01, U=22.0, seed=seed, K=factor * CAR["K"])
-        for seed, (seconds, factor) in enumerate([(40, 1.0), (20, 0.5), (20, 0.25), (20, 1.0)])
+        for seed, (seconds, factor) in enumerate([(40, 1.0), (20, 0.5), (20, 0.25), (20, 1.0), (20, 1.5)])
     ]
     columns = [np.concatenate([getattr(part, name) for part in parts]) for name in ("delta", "U", "r")]
     return np.column_stack([np.full(columns[0].size, 0.01), *columns])
@@ -165,13 +182,9 @@ def shown(system: str, estimator: str) -> list[str]:
     watch, layout = watched(source.twin, source.name)
     library = Library(source.name, layout, None)
     rows = self_test_rows(source, source.library(), numbers.values, numbers.sample_time)
-    driven = np.vstack([rows, drive_of(estimator, library.names("sample"))])
+    rows = np.vstack([rows, drive_of(estimator, library.names("sample"))])
     with np.errstate(all="ignore"):
-        state, states = library.start(numbers.values), []
-        for part in np.array_split(driven, PARTS):
-            library.run(numbers.values, state, part)
-            states.append(state.copy())
-        singly(library, numbers.values, np.array(states), driven, SINGLE)
+        singly(library, watch, driven(library, watch, numbers.values, rows), SINGLE)
     conditions, missing = sum(map(len, watch.leaves)), watch.unshown()
     head = f"{source.name}: {len(watch.trees)} decisions, {conditions} conditions"
     return [

@@ -21,12 +21,13 @@ DESIGN = {
     "age_most": 10.0,  # s: what takes longer is not a jump; the reference follows it
     "gain_rate": 1 / 0.1,  # 1/s
     "gain_most": 60.0,  # 1/s: a kerb is over after a tenth of a second
-    "piece_most": 5.7,  # so it takes two half-waves
-    "gust_output": 0.011,  # rad/s: 0.6 deg/s within a half-wave is more than a gust does
+    "piece_most": 5.2,  # so it takes two half-waves
+    "piece_share": 0.04,  # or one that says 25 times as much again
+    "piece_fit": 0.15,
     "size_least": 0.3,  # ln: less than 26 % is not looked for
     "size_most": 1.2,  # ln: a factor of 3.3
     "size_large": 0.6,  # ln: 45 %
-    "small_price": 20.0,  # nine in ten false alarms tell less than that
+    "small_price": 20.0,  # nine in ten false alarms told less than that before it
     "size_guess": 0.45,
     "size_weight": 20.0,  # the guess is worth an sd of 0.22
     "outlier_ratio": 9.0,  # three sd
@@ -37,6 +38,7 @@ DESIGN = {
     "score_rate": 1.0,  # 1/s
     "distrust_rate": 1 / 60.0,  # 1/s
     "distrust_share": 0.3,
+    "sizes_squared": 9.0,  # three sd: less may be the reference's error
     "reference_rate": 1 / 15.0,  # 1/s: slow against an alarm, fast against tyres that warm up
     "known_least": 500.0,  # sd of 4 %, the other unknowns given
     "variance_most": 0.20**2,  # a little more than the verdict "identified" allows
@@ -52,12 +54,12 @@ DESIGN = {
     "validity_rate": 1.0,  # 1/s
 }
 THRESHOLD = 9.5
-BETWEEN_FALSE_ALARMS = 24.0  # h, with that threshold: 2 in 48 h, at least 7.6 h with 95 %
+BETWEEN_FALSE_ALARMS = 16.0  # h, with that threshold: 3 in 48 h, at least 6.2 h with 95 %
 MEASURED = (
-    (6.5, 0.94),
-    (7.5, 2.4),
-    (8.5, 6.0),
-    (9.5, 24.0),
+    (6.5, 1.6),
+    (7.5, 3.7),
+    (8.5, 12.0),
+    (9.5, 16.0),
 )  # threshold, h between alarms
 RISE_MORE = 4.0  # a fall is a danger, a rise is not
 

@@ -30,6 +30,33 @@ def test_a_change_is_found_its_size_told_and_its_onset(factor, kind):
         assert alarm.lo < alarm.change < alarm.hi
 
 
+def test_one_half_wave_may_ring_where_the_change_explains_it():
+    cars = road(
+        75, cars=8, kind="highway", duration=70.0, events=False, changes=((CHANGE_AT, 0.5),), lateral=1.2
+    )
+    sooner = [
+        [watch(done, changes={"piece_share": share}).alarms[0].t for share in (0.04, 0.0)]
+        for done in passes(cars)
+    ]
+    now, two_half_waves = np.transpose(sooner)
+
+    assert (now <= two_half_waves).all() and (now >= CHANGE_AT).all()
+    assert np.max(two_half_waves - now) > 0.3  # s: a driver's half-wave takes 0.5 to 3
+
+
+def test_a_change_within_the_reference_s_doubt_is_none():
+    cars = road(
+        76, cars=1, kind="highway", duration=70.0, events=False, changes=((CHANGE_AT, 0.5),), lateral=0.8
+    )
+    (done,) = passes(cars)
+    (alarm,) = watch(done).alarms
+    before = int(CHANGE_AT * 100) - 1
+    sizes = np.log1p(alarm.change) ** 2 / done.output("variance")[before]
+
+    assert sizes > 9  # far beyond the filter's doubt before the change
+    assert watch(done, changes={"sizes_squared": 20 * sizes}).alarms == ()
+
+
 @pytest.mark.slow
 def test_nothing_rings_in_an_hour_of_sound_driving():
     rung = []

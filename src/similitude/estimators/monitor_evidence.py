@@ -6,7 +6,8 @@ is a little wrong do to the innovations is measured as it comes, and the evidenc
 
 rough      mean square of the innovations' slow part against white noise, under the best hypothesis
 distrust   the same of the score, over a minute
-pieces     one half-wave of the signature counts for so much and no more: a gust has one hump, too
+pieces     beyond so much, one half-wave of the signature counts little, and only where the change
+           explains it: a gust has one hump, too
 
 Invariant: evidence is only gathered while the monitor is armed, hears enough and is in the linear range.
 """
@@ -147,7 +148,8 @@ def _gather(tracks: Tracks, k: str) -> list[Statement]:
     signature, slope = S(f"signature_{k}"), S(f"slope_{k}")
     gain = (S("innovation") - HALF * signature) * signature * S("inv_spread") * S("trust")
     lean = S(f"lean_{k}")
-    piece = S("piece_most") * sp.Max(1, (lean / S("gust_output")) ** 2)
+    explains = S(f"rough_{k}") < S("piece_fit") * S("rough_same")
+    beyond = sp.Piecewise((S("piece_share") * S(f"lately_{k}"), explains), (0, True))
     other_side = (Assign(f"side_{k}", lean), Assign(f"piece_{k}", sp.Integer(0)))
     over = sp.Or(S(f"evidence_{k}") <= -S("evidence_floor"), S(f"age_{k}") > S("age_most"))
     return [
@@ -155,7 +157,11 @@ def _gather(tracks: Tracks, k: str) -> list[Statement]:
         Assign(f"lean_{k}", S("smooth_same") - S(f"smooth_{k}"), "the signature's slow part"),
         When(lean * S(f"side_{k}") <= 0, other_side, (), "the next half-wave"),
         Assign(f"gained_{k}", sp.Max(sp.Min(S(f"lately_{k}"), S("gain_bound")), -S("gain_bound"))),
-        Assign(f"allowed_{k}", sp.Min(S(f"gained_{k}"), piece - S(f"piece_{k}"))),
+        Assign(f"beyond_{k}", beyond, "what a half-wave that is used up still counts for"),
+        Assign(
+            f"allowed_{k}",
+            sp.Min(S(f"gained_{k}"), sp.Max(S("piece_most") - S(f"piece_{k}"), S(f"beyond_{k}"))),
+        ),
         Assign(f"piece_{k}", S(f"piece_{k}") + S(f"allowed_{k}")),
         Assign(f"evidence_{k}", S(f"evidence_{k}") * (1 - share("evidence_leak")) + S(f"allowed_{k}")),
         Assign(f"age_{k}", S(f"age_{k}") + dt),
@@ -178,10 +184,11 @@ def told(k: str) -> sp.Expr:
 
 def _ring(k: str, code: int) -> list[Statement]:
     explained = S(f"rough_{k}") < S("rough_free") + S("rough_share") * S("rough_same")
+    large = S(f"size_{k}") ** 2 > S("sizes_squared") * S("variance_held")
     tell = (
         Assign("alarm", sp.Integer(code)),
         Assign("onset_age", S(f"age_{k}")),
         Assign("change", S(f"size_{k}")),
         Assign("change_variance", S("doubt") / (S(f"weight_sum_{k}") + S("size_weight"))),
     )
-    return [When(sp.And(told(k) > S(f"threshold_{k}"), explained), tell, (), f"a {k}")]
+    return [When(sp.And(told(k) > S(f"threshold_{k}"), explained, large), tell, (), f"a {k}")]

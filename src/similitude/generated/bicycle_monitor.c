@@ -4,8 +4,8 @@
  *   base: m, L, U
  *   follows: K; held: K, pi1, eta, rho
  *
- * Operations: step 1163 at most, 18 at least (arithmetic, comparisons, selects), init 0.
- * Memory: state 59 reals, configuration 41 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1156 at most, 18 at least (arithmetic, comparisons, selects), init 0.
+ * Memory: state 60 reals, configuration 43 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -59,8 +59,9 @@ typedef struct bicycle_monitor_config {
     bicycle_monitor_real age_most;                   /* [s] longest time one supposed change is followed */
     bicycle_monitor_real gain_rate;                  /* [1/s] averaging rate of the evidence gained */
     bicycle_monitor_real gain_most;                  /* [1/s] most evidence gained in a second */
-    bicycle_monitor_real piece_most;                 /* [-] most evidence from one half-wave of the signature */
-    bicycle_monitor_real gust_output;                /* [rad/s] yaw rate that no gust reaches */
+    bicycle_monitor_real piece_most;                 /* [-] evidence from one half-wave of the signature that counts in full */
+    bicycle_monitor_real piece_share;                /* [-] what counts of the rest where the change explains the drive */
+    bicycle_monitor_real piece_fit;                  /* [-] most of what the reference leaves that a change may leave, for that */
     bicycle_monitor_real size_least;                 /* [-] least change of ln K that is looked for */
     bicycle_monitor_real size_most;                  /* [-] greatest change of ln K that is looked for */
     bicycle_monitor_real size_large;                 /* [-] change of ln K that needs no more evidence than the threshold */
@@ -75,6 +76,7 @@ typedef struct bicycle_monitor_config {
     bicycle_monitor_real score_rate;                 /* [1/s] averaging rate of the score */
     bicycle_monitor_real distrust_rate;              /* [1/s] averaging rate of the squared score against its variance */
     bicycle_monitor_real distrust_share;             /* [-] how much of that is held against the evidence */
+    bicycle_monitor_real sizes_squared;              /* [-] least squared size of a change over the reference's variance */
     bicycle_monitor_real reference_rate;             /* [1/s] rate at which the reference follows the estimate */
     bicycle_monitor_real known_least;                /* [-] information about ln K before the monitor is armed */
     bicycle_monitor_real variance_most;              /* [-] variance of ln K with which the monitor can be armed */
@@ -113,6 +115,7 @@ typedef struct bicycle_monitor_state {
     bicycle_monitor_real rho_held;                   /* [-] reference of Iz/(m a b), yaw inertia ratio */
     bicycle_monitor_real input_offset_held;          /* [rad] reference of the offset of delta */
     bicycle_monitor_real output_bias_held;           /* [rad/s] reference of the bias of r */
+    bicycle_monitor_real variance_held;              /* [-] variance that ln K has in the reference */
     bicycle_monitor_real size_fall;                  /* [-] fall: logarithm of the supposed change */
     bicycle_monitor_real evidence_fall;              /* [-] fall: log likelihood for it over the reference */
     bicycle_monitor_real age_fall;                   /* [s] fall: time since it is supposed */
@@ -208,6 +211,7 @@ SIMILITUDE_API void bicycle_monitor_init(const bicycle_monitor_config *config, b
     state->rho_held = R(0.0);
     state->input_offset_held = R(0.0);
     state->output_bias_held = R(0.0);
+    state->variance_held = R(0.0);
     state->size_fall = R(0.0);
     state->evidence_fall = R(0.0);
     state->age_fall = R(0.0);
@@ -341,6 +345,7 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
         state->rho_held = state->rho_held + follow*(sample->rho_now - state->rho_held);
         state->input_offset_held = state->input_offset_held + follow*(sample->offset_now - state->input_offset_held);
         state->output_bias_held = state->output_bias_held + follow*(sample->bias_now - state->output_bias_held);
+        state->variance_held = state->variance_held + follow*(sample->variance - state->variance_held);
         state->size_fall = (-((config->size_most) < (((config->size_least) > ((config->size_guess*config->size_weight - state->score_sum_fall)/(config->size_weight + state->weight_sum_fall)) ? config->size_least : (config->size_guess*config->size_weight - state->score_sum_fall)/(config->size_weight + state->weight_sum_fall))) ? config->size_most : ((config->size_least) > ((config->size_guess*config->size_weight - state->score_sum_fall)/(config->size_weight + state->weight_sum_fall)) ? config->size_least : (config->size_guess*config->size_weight - state->score_sum_fall)/(config->size_weight + state->weight_sum_fall))));
         const bicycle_monitor_real K_fall = state->K_held*(R(12.0) + state->size_fall*(R(6.0) + state->size_fall))/((R(12.0) + state->size_fall*(state->size_fall - R(6.0)))); /* exp by its Pade approximant, good to 0.1 % for a fall by a factor of three */
         state->size_rise = ((config->size_most) < (((config->size_least) > ((state->score_sum_rise + config->size_guess*config->size_weight)/(config->size_weight + state->weight_sum_rise)) ? config->size_least : (state->score_sum_rise + config->size_guess*config->size_weight)/(config->size_weight + state->weight_sum_rise))) ? config->size_most : ((config->size_least) > ((state->score_sum_rise + config->size_guess*config->size_weight)/(config->size_weight + state->weight_sum_rise)) ? config->size_least : (state->score_sum_rise + config->size_guess*config->size_weight)/(config->size_weight + state->weight_sum_rise)));
@@ -653,7 +658,8 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
                     state->piece_fall = R(0.0);
                 }
                 const bicycle_monitor_real gained_fall = (((-gain_bound)) > (((gain_bound) < (state->lately_fall) ? gain_bound : state->lately_fall)) ? (-gain_bound) : ((gain_bound) < (state->lately_fall) ? gain_bound : state->lately_fall));
-                const bicycle_monitor_real allowed_fall = ((gained_fall) < (config->piece_most*((R(1.0)) > ((lean_fall*lean_fall)/((config->gust_output*config->gust_output))) ? R(1.0) : (lean_fall*lean_fall)/((config->gust_output*config->gust_output))) - state->piece_fall) ? gained_fall : config->piece_most*((R(1.0)) > ((lean_fall*lean_fall)/((config->gust_output*config->gust_output))) ? R(1.0) : (lean_fall*lean_fall)/((config->gust_output*config->gust_output))) - state->piece_fall);
+                const bicycle_monitor_real beyond_fall = (state->rough_fall < config->piece_fit*state->rough_same ? state->lately_fall*config->piece_share : R(0.0)); /* what a half-wave that is used up still counts for */
+                const bicycle_monitor_real allowed_fall = ((gained_fall) < (((beyond_fall) > (config->piece_most - state->piece_fall) ? beyond_fall : config->piece_most - state->piece_fall)) ? gained_fall : ((beyond_fall) > (config->piece_most - state->piece_fall) ? beyond_fall : config->piece_most - state->piece_fall));
                 state->piece_fall = allowed_fall + state->piece_fall;
                 state->evidence_fall = allowed_fall + state->evidence_fall*(R(1.0) - ((R(1.0)) < (sample->dt*config->evidence_leak) ? R(1.0) : sample->dt*config->evidence_leak));
                 state->age_fall = state->age_fall + sample->dt;
@@ -683,7 +689,8 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
                     state->piece_rise = R(0.0);
                 }
                 const bicycle_monitor_real gained_rise = (((-gain_bound)) > (((gain_bound) < (state->lately_rise) ? gain_bound : state->lately_rise)) ? (-gain_bound) : ((gain_bound) < (state->lately_rise) ? gain_bound : state->lately_rise));
-                const bicycle_monitor_real allowed_rise = ((gained_rise) < (config->piece_most*((R(1.0)) > ((lean_rise*lean_rise)/((config->gust_output*config->gust_output))) ? R(1.0) : (lean_rise*lean_rise)/((config->gust_output*config->gust_output))) - state->piece_rise) ? gained_rise : config->piece_most*((R(1.0)) > ((lean_rise*lean_rise)/((config->gust_output*config->gust_output))) ? R(1.0) : (lean_rise*lean_rise)/((config->gust_output*config->gust_output))) - state->piece_rise);
+                const bicycle_monitor_real beyond_rise = (state->rough_rise < config->piece_fit*state->rough_same ? state->lately_rise*config->piece_share : R(0.0)); /* what a half-wave that is used up still counts for */
+                const bicycle_monitor_real allowed_rise = ((gained_rise) < (((beyond_rise) > (config->piece_most - state->piece_rise) ? beyond_rise : config->piece_most - state->piece_rise)) ? gained_rise : ((beyond_rise) > (config->piece_most - state->piece_rise) ? beyond_rise : config->piece_most - state->piece_rise));
                 state->piece_rise = allowed_rise + state->piece_rise;
                 state->evidence_rise = allowed_rise + state->evidence_rise*(R(1.0) - ((R(1.0)) < (sample->dt*config->evidence_leak) ? R(1.0) : sample->dt*config->evidence_leak));
                 state->age_rise = state->age_rise + sample->dt;
@@ -706,13 +713,13 @@ SIMILITUDE_INLINE int bicycle_monitor_advance(const bicycle_monitor_config *conf
                     state->r_star_miss_rise = R(0.0);
                     state->disturbance_miss_rise = R(0.0);
                 }
-                if (((state->evidence_fall - config->small_price*((R(0.0)) > (state->size_fall + config->size_large) ? R(0.0) : state->size_fall + config->size_large)) > config->threshold_fall) && (state->rough_fall < (config->rough_free + state->rough_same*config->rough_share))) { /* a fall */
+                if (((state->evidence_fall - config->small_price*((R(0.0)) > (state->size_fall + config->size_large) ? R(0.0) : state->size_fall + config->size_large)) > config->threshold_fall) && ((state->size_fall*state->size_fall) > config->sizes_squared*state->variance_held) && (state->rough_fall < (config->rough_free + state->rough_same*config->rough_share))) { /* a fall */
                     alarm = R(1.0);
                     onset_age = state->age_fall;
                     change = state->size_fall;
                     change_variance = doubt/(config->size_weight + state->weight_sum_fall);
                 }
-                if (((state->evidence_rise - config->small_price*((R(0.0)) > (config->size_large - state->size_rise) ? R(0.0) : config->size_large - state->size_rise)) > config->threshold_rise) && (state->rough_rise < (config->rough_free + state->rough_same*config->rough_share))) { /* a rise */
+                if (((state->evidence_rise - config->small_price*((R(0.0)) > (config->size_large - state->size_rise) ? R(0.0) : config->size_large - state->size_rise)) > config->threshold_rise) && ((state->size_rise*state->size_rise) > config->sizes_squared*state->variance_held) && (state->rough_rise < (config->rough_free + state->rough_same*config->rough_share))) { /* a rise */
                     alarm = R(2.0);
                     onset_age = state->age_rise;
                     change = state->size_rise;

@@ -8,7 +8,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_monitor'
-OPERATIONS = 1163
+OPERATIONS = 1156
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
 
@@ -25,8 +25,9 @@ CONFIG = (
     ('age_most', 's', 'longest time one supposed change is followed', 1),
     ('gain_rate', '1/s', 'averaging rate of the evidence gained', 1),
     ('gain_most', '1/s', 'most evidence gained in a second', 1),
-    ('piece_most', '-', 'most evidence from one half-wave of the signature', 1),
-    ('gust_output', 'rad/s', 'yaw rate that no gust reaches', 1),
+    ('piece_most', '-', 'evidence from one half-wave of the signature that counts in full', 1),
+    ('piece_share', '-', 'what counts of the rest where the change explains the drive', 1),
+    ('piece_fit', '-', 'most of what the reference leaves that a change may leave, for that', 1),
     ('size_least', '-', 'least change of ln K that is looked for', 1),
     ('size_most', '-', 'greatest change of ln K that is looked for', 1),
     ('size_large', '-', 'change of ln K that needs no more evidence than the threshold', 1),
@@ -41,6 +42,7 @@ CONFIG = (
     ('score_rate', '1/s', 'averaging rate of the score', 1),
     ('distrust_rate', '1/s', 'averaging rate of the squared score against its variance', 1),
     ('distrust_share', '-', 'how much of that is held against the evidence', 1),
+    ('sizes_squared', '-', "least squared size of a change over the reference's variance", 1),
     ('reference_rate', '1/s', 'rate at which the reference follows the estimate', 1),
     ('known_least', '-', 'information about ln K before the monitor is armed', 1),
     ('variance_most', '-', 'variance of ln K with which the monitor can be armed', 1),
@@ -79,6 +81,7 @@ STATE = (
     ('rho_held', '-', 'reference of Iz/(m a b), yaw inertia ratio', 1),
     ('input_offset_held', 'rad', 'reference of the offset of delta', 1),
     ('output_bias_held', 'rad/s', 'reference of the bias of r', 1),
+    ('variance_held', '-', 'variance that ln K has in the reference', 1),
     ('size_fall', '-', 'fall: logarithm of the supposed change', 1),
     ('evidence_fall', '-', 'fall: log likelihood for it over the reference', 1),
     ('age_fall', 's', 'fall: time since it is supposed', 1),
@@ -172,6 +175,7 @@ def init(config):
     rho_held = 0.0
     input_offset_held = 0.0
     output_bias_held = 0.0
+    variance_held = 0.0
     size_fall = 0.0
     evidence_fall = 0.0
     age_fall = 0.0
@@ -204,7 +208,7 @@ def init(config):
     last_input = 0.0
     last_U = 0.0
     started = 0.0
-    return [v_star_held, r_star_held, disturbance_held, P_0, P_1, P_2, P_3, P_4, P_5, v_star_plain, r_star_plain, v_star_fall, r_star_fall, v_star_miss_fall, r_star_miss_fall, disturbance_miss_fall, v_star_rise, r_star_rise, v_star_miss_rise, r_star_miss_rise, disturbance_miss_rise, K_held, pi1_held, eta_held, rho_held, input_offset_held, output_bias_held, size_fall, evidence_fall, age_fall, weight_sum_fall, score_sum_fall, lately_fall, side_fall, piece_fall, size_rise, evidence_rise, age_rise, weight_sum_rise, score_sum_rise, lately_rise, side_rise, piece_rise, smooth_same, smooth_fall, smooth_rise, rough_same, rough_fall, rough_rise, score, score_variance, distrust, known, hearing, heard, validity, last_input, last_U, started]
+    return [v_star_held, r_star_held, disturbance_held, P_0, P_1, P_2, P_3, P_4, P_5, v_star_plain, r_star_plain, v_star_fall, r_star_fall, v_star_miss_fall, r_star_miss_fall, disturbance_miss_fall, v_star_rise, r_star_rise, v_star_miss_rise, r_star_miss_rise, disturbance_miss_rise, K_held, pi1_held, eta_held, rho_held, input_offset_held, output_bias_held, variance_held, size_fall, evidence_fall, age_fall, weight_sum_fall, score_sum_fall, lately_fall, side_fall, piece_fall, size_rise, evidence_rise, age_rise, weight_sum_rise, score_sum_rise, lately_rise, side_rise, piece_rise, smooth_same, smooth_fall, smooth_rise, rough_same, rough_fall, rough_rise, score, score_variance, distrust, known, hearing, heard, validity, last_input, last_U, started]
 
 
 def step(config, state, sample):
@@ -222,34 +226,36 @@ def step(config, state, sample):
     gain_rate = config[10]
     gain_most = config[11]
     piece_most = config[12]
-    gust_output = config[13]
-    size_least = config[14]
-    size_most = config[15]
-    size_large = config[16]
-    small_price = config[17]
-    size_guess = config[18]
-    size_weight = config[19]
-    outlier_ratio = config[20]
-    smooth_rate = config[21]
-    rough_rate = config[22]
-    rough_free = config[23]
-    rough_share = config[24]
-    score_rate = config[25]
-    distrust_rate = config[26]
-    distrust_share = config[27]
-    reference_rate = config[28]
-    known_least = config[29]
-    variance_most = config[30]
-    heard_least = config[31]
-    heard_spare = config[32]
-    heard_again = config[33]
-    hearing_rate = config[34]
-    hearing_least = config[35]
-    input_limit = config[36]
-    output_limit = config[37]
-    signal_limit = config[38]
-    validity_limit = config[39]
-    validity_rate = config[40]
+    piece_share = config[13]
+    piece_fit = config[14]
+    size_least = config[15]
+    size_most = config[16]
+    size_large = config[17]
+    small_price = config[18]
+    size_guess = config[19]
+    size_weight = config[20]
+    outlier_ratio = config[21]
+    smooth_rate = config[22]
+    rough_rate = config[23]
+    rough_free = config[24]
+    rough_share = config[25]
+    score_rate = config[26]
+    distrust_rate = config[27]
+    distrust_share = config[28]
+    sizes_squared = config[29]
+    reference_rate = config[30]
+    known_least = config[31]
+    variance_most = config[32]
+    heard_least = config[33]
+    heard_spare = config[34]
+    heard_again = config[35]
+    hearing_rate = config[36]
+    hearing_least = config[37]
+    input_limit = config[38]
+    output_limit = config[39]
+    signal_limit = config[40]
+    validity_limit = config[41]
+    validity_rate = config[42]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -291,38 +297,39 @@ def step(config, state, sample):
     rho_held = state[24]
     input_offset_held = state[25]
     output_bias_held = state[26]
-    size_fall = state[27]
-    evidence_fall = state[28]
-    age_fall = state[29]
-    weight_sum_fall = state[30]
-    score_sum_fall = state[31]
-    lately_fall = state[32]
-    side_fall = state[33]
-    piece_fall = state[34]
-    size_rise = state[35]
-    evidence_rise = state[36]
-    age_rise = state[37]
-    weight_sum_rise = state[38]
-    score_sum_rise = state[39]
-    lately_rise = state[40]
-    side_rise = state[41]
-    piece_rise = state[42]
-    smooth_same = state[43]
-    smooth_fall = state[44]
-    smooth_rise = state[45]
-    rough_same = state[46]
-    rough_fall = state[47]
-    rough_rise = state[48]
-    score = state[49]
-    score_variance = state[50]
-    distrust = state[51]
-    known = state[52]
-    hearing = state[53]
-    heard = state[54]
-    validity = state[55]
-    last_input = state[56]
-    last_U = state[57]
-    started = state[58]
+    variance_held = state[27]
+    size_fall = state[28]
+    evidence_fall = state[29]
+    age_fall = state[30]
+    weight_sum_fall = state[31]
+    score_sum_fall = state[32]
+    lately_fall = state[33]
+    side_fall = state[34]
+    piece_fall = state[35]
+    size_rise = state[36]
+    evidence_rise = state[37]
+    age_rise = state[38]
+    weight_sum_rise = state[39]
+    score_sum_rise = state[40]
+    lately_rise = state[41]
+    side_rise = state[42]
+    piece_rise = state[43]
+    smooth_same = state[44]
+    smooth_fall = state[45]
+    smooth_rise = state[46]
+    rough_same = state[47]
+    rough_fall = state[48]
+    rough_rise = state[49]
+    score = state[50]
+    score_variance = state[51]
+    distrust = state[52]
+    known = state[53]
+    hearing = state[54]
+    heard = state[55]
+    validity = state[56]
+    last_input = state[57]
+    last_U = state[58]
+    started = state[59]
     U_used = 0.0
     alarm = 0.0
     anew = 0.0
@@ -413,6 +420,7 @@ def step(config, state, sample):
         rho_held = rho_held + follow*(rho_now - rho_held)
         input_offset_held = input_offset_held + follow*(offset_now - input_offset_held)
         output_bias_held = output_bias_held + follow*(bias_now - output_bias_held)
+        variance_held = variance_held + follow*(variance - variance_held)
         size_fall = (-(size_most if (size_most) < ((size_least if (size_least) > ((size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall)) else (size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall))) else (size_least if (size_least) > ((size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall)) else (size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall))))
         K_fall = K_held*(12.0 + size_fall*(6.0 + size_fall))/((12.0 + size_fall*(size_fall - 6.0)))  # exp by its Pade approximant, good to 0.1 % for a fall by a factor of three
         size_rise = (size_most if (size_most) < ((size_least if (size_least) > ((score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)) else (score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise))) else (size_least if (size_least) > ((score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)) else (score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)))
@@ -724,7 +732,8 @@ def step(config, state, sample):
                     side_fall = lean_fall
                     piece_fall = 0.0
                 gained_fall = ((-gain_bound) if ((-gain_bound)) > ((gain_bound if (gain_bound) < (lately_fall) else lately_fall)) else (gain_bound if (gain_bound) < (lately_fall) else lately_fall))
-                allowed_fall = (gained_fall if (gained_fall) < (piece_most*(1.0 if (1.0) > ((lean_fall*lean_fall)/((gust_output*gust_output))) else (lean_fall*lean_fall)/((gust_output*gust_output))) - piece_fall) else piece_most*(1.0 if (1.0) > ((lean_fall*lean_fall)/((gust_output*gust_output))) else (lean_fall*lean_fall)/((gust_output*gust_output))) - piece_fall)
+                beyond_fall = (lately_fall*piece_share if rough_fall < piece_fit*rough_same else 0.0)  # what a half-wave that is used up still counts for
+                allowed_fall = (gained_fall if (gained_fall) < ((beyond_fall if (beyond_fall) > (piece_most - piece_fall) else piece_most - piece_fall)) else (beyond_fall if (beyond_fall) > (piece_most - piece_fall) else piece_most - piece_fall))
                 piece_fall = allowed_fall + piece_fall
                 evidence_fall = allowed_fall + evidence_fall*(1.0 - (1.0 if (1.0) < (dt*evidence_leak) else dt*evidence_leak))
                 age_fall = age_fall + dt
@@ -752,7 +761,8 @@ def step(config, state, sample):
                     side_rise = lean_rise
                     piece_rise = 0.0
                 gained_rise = ((-gain_bound) if ((-gain_bound)) > ((gain_bound if (gain_bound) < (lately_rise) else lately_rise)) else (gain_bound if (gain_bound) < (lately_rise) else lately_rise))
-                allowed_rise = (gained_rise if (gained_rise) < (piece_most*(1.0 if (1.0) > ((lean_rise*lean_rise)/((gust_output*gust_output))) else (lean_rise*lean_rise)/((gust_output*gust_output))) - piece_rise) else piece_most*(1.0 if (1.0) > ((lean_rise*lean_rise)/((gust_output*gust_output))) else (lean_rise*lean_rise)/((gust_output*gust_output))) - piece_rise)
+                beyond_rise = (lately_rise*piece_share if rough_rise < piece_fit*rough_same else 0.0)  # what a half-wave that is used up still counts for
+                allowed_rise = (gained_rise if (gained_rise) < ((beyond_rise if (beyond_rise) > (piece_most - piece_rise) else piece_most - piece_rise)) else (beyond_rise if (beyond_rise) > (piece_most - piece_rise) else piece_most - piece_rise))
                 piece_rise = allowed_rise + piece_rise
                 evidence_rise = allowed_rise + evidence_rise*(1.0 - (1.0 if (1.0) < (dt*evidence_leak) else dt*evidence_leak))
                 age_rise = age_rise + dt
@@ -774,12 +784,12 @@ def step(config, state, sample):
                     v_star_miss_rise = 0.0
                     r_star_miss_rise = 0.0
                     disturbance_miss_rise = 0.0
-                if ((evidence_fall - small_price*(0.0 if (0.0) > (size_fall + size_large) else size_fall + size_large)) > threshold_fall) and (rough_fall < (rough_free + rough_same*rough_share)):  # a fall
+                if ((evidence_fall - small_price*(0.0 if (0.0) > (size_fall + size_large) else size_fall + size_large)) > threshold_fall) and ((size_fall*size_fall) > sizes_squared*variance_held) and (rough_fall < (rough_free + rough_same*rough_share)):  # a fall
                     alarm = 1.0
                     onset_age = age_fall
                     change = size_fall
                     change_variance = doubt/(size_weight + weight_sum_fall)
-                if ((evidence_rise - small_price*(0.0 if (0.0) > (size_large - size_rise) else size_large - size_rise)) > threshold_rise) and (rough_rise < (rough_free + rough_same*rough_share)):  # a rise
+                if ((evidence_rise - small_price*(0.0 if (0.0) > (size_large - size_rise) else size_large - size_rise)) > threshold_rise) and ((size_rise*size_rise) > sizes_squared*variance_held) and (rough_rise < (rough_free + rough_same*rough_share)):  # a rise
                     alarm = 2.0
                     onset_age = age_rise
                     change = size_rise
@@ -823,5 +833,5 @@ def step(config, state, sample):
     evidence_of_rise = evidence_rise - small_price*(0.0 if (0.0) > (size_large - size_rise) else size_large - size_rise)
     armed = (1.0 if (heard > heard_least) and (hearing > hearing_least) and (known > known_least) else 0.0)
     information_rate = hearing
-    state[:] = [v_star_held, r_star_held, disturbance_held, P_0, P_1, P_2, P_3, P_4, P_5, v_star_plain, r_star_plain, v_star_fall, r_star_fall, v_star_miss_fall, r_star_miss_fall, disturbance_miss_fall, v_star_rise, r_star_rise, v_star_miss_rise, r_star_miss_rise, disturbance_miss_rise, K_held, pi1_held, eta_held, rho_held, input_offset_held, output_bias_held, size_fall, evidence_fall, age_fall, weight_sum_fall, score_sum_fall, lately_fall, side_fall, piece_fall, size_rise, evidence_rise, age_rise, weight_sum_rise, score_sum_rise, lately_rise, side_rise, piece_rise, smooth_same, smooth_fall, smooth_rise, rough_same, rough_fall, rough_rise, score, score_variance, distrust, known, hearing, heard, validity, last_input, last_U, started]
+    state[:] = [v_star_held, r_star_held, disturbance_held, P_0, P_1, P_2, P_3, P_4, P_5, v_star_plain, r_star_plain, v_star_fall, r_star_fall, v_star_miss_fall, r_star_miss_fall, disturbance_miss_fall, v_star_rise, r_star_rise, v_star_miss_rise, r_star_miss_rise, disturbance_miss_rise, K_held, pi1_held, eta_held, rho_held, input_offset_held, output_bias_held, variance_held, size_fall, evidence_fall, age_fall, weight_sum_fall, score_sum_fall, lately_fall, side_fall, piece_fall, size_rise, evidence_rise, age_rise, weight_sum_rise, score_sum_rise, lately_rise, side_rise, piece_rise, smooth_same, smooth_fall, smooth_rise, rough_same, rough_fall, rough_rise, score, score_variance, distrust, known, hearing, heard, validity, last_input, last_U, started]
     return int(status), [alarm, onset_age, change, change_variance, reference, evidence_of_fall, evidence_of_rise, armed, information_rate]
