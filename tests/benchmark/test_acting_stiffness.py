@@ -41,3 +41,14 @@ def test_an_axle_that_saturates_acts_softer_the_more_it_slips():
 def test_a_car_that_does_not_turn_keeps_what_is_stated():
     truth, car = driven({"kind": "linear"}, "0 mrad")
     assert acting_stiffness(truth, car) == pytest.approx(car.K * truth["stiffness [-]"])
+
+
+def test_an_axle_whose_force_is_not_its_slips_keeps_what_is_stated():
+    """Noise on the force ten times as large as what slip makes of it."""
+    truth, car = driven({"kind": "linear"}, "2 mrad")
+    whole = acting_stiffness(truth, car)
+    noise = np.random.default_rng(0).standard_normal(truth["t [s]"].size)
+    shifted = truth | {"ay [m/s^2]": truth["ay [m/s^2]"] + 10 * truth["ay [m/s^2]"].std() * noise}
+
+    assert not np.array_equal(whole, car.K * truth["stiffness [-]"])
+    assert acting_stiffness(shifted, car) == pytest.approx(car.K * truth["stiffness [-]"])

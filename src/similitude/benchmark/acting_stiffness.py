@@ -5,7 +5,9 @@
 
 A multi-body car's axle is no straight line: the tyres of commonroad-vehicle-models shift their force with
 the sign of their camber, so in ordinary driving the axle acts a quarter stiffer than the slope of its tyres,
-and more so the less it slips. What a drive can show is the line nearest to what the axle did.
+and more so the less it slips. What a drive can show is the line nearest to what the axle did. On a straight
+road the shift is larger than the force, and the line tells a hundredth of it: no drive shows a stiffness
+there, and the slope that is stated stands.
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from similitude.simulation.car import Car
 Array = NDArray[np.float64]
 ENDS = 2  # rows at both ends of a stretch, whose differences reach beyond it
 LEAST = 10  # rows that make a stretch
+EXPLAINED = 0.5  # of the force's mean square that a line must tell to be one
 
 
 def acting_stiffness(truth: Mapping[str, Array], car: Car) -> Array:
@@ -44,9 +47,13 @@ def acting_stiffness(truth: Mapping[str, Array], car: Car) -> Array:
     K = np.empty(t.size)
     for first, last in pairwise(edges):
         rows = slice(first + ENDS, last - ENDS)
+        line = _line(force[rows], slip[rows]) if last - first > LEAST else None
         stated = car.K * truth["stiffness [-]"][first]
-        known = last - first > LEAST and float(slip[rows] @ slip[rows]) > 0
-        K[first:last] = (
-            car.L / car.m * (force[rows] @ slip[rows]) / (slip[rows] @ slip[rows]) if known else stated
-        )
+        K[first:last] = stated if line is None else car.L / car.m * line
     return K
+
+
+def _line(force: Array, slip: Array) -> float | None:
+    """Slope of the line through the origin nearest to a force; None where it tells little of the force."""
+    together, slipped, pushed = (float(a @ b) for a, b in ((force, slip), (slip, slip), (force, force)))
+    return together / slipped if together**2 > EXPLAINED * slipped * pushed else None

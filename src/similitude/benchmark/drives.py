@@ -124,7 +124,7 @@ def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any])
         one = run_scenario(scenario, [seed])[0]
         return columns(one) | {"K": acting_stiffness(one.truth, car)}
 
-    return _told(kept({**description, "seed": seed, "K": "acting"}, made), car.L)
+    return _told(kept({**description, "seed": seed, "K": "acting where a line"}, made), car.L)
 
 
 def columns(one: Recording) -> dict[str, Array]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -52,8 +52,12 @@ def ladder() -> list[Entrant]:
     ]
 
 
+@lru_cache(maxsize=1)
 def prepared(drive: Drive) -> Prepared:
-    """Return a drive ready for the population's estimators, with nothing taken from its end."""
+    """Return a drive ready for the population's estimators, with nothing taken from its end.
+
+    They ask one after another: the lag is fitted for the first, and its time stands with that one.
+    """
     ready = _of_measured(drive)
     start = _of_measured(drive.until(drive.t[0] + SETTLING))
     lag = with_fitted_lag(start, whole_log(start, start.setup.run())).scan
