@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.accelerometer import Accelerometer
-from similitude.estimators.filter_lean import TURNS
 from similitude.population import Prior
 from similitude.program.library import Library
 
@@ -88,6 +87,8 @@ def longest(values: Mapping[str, float]) -> float:
     ----------
     values : the rates [1/s] and times [s] of a small filter's configuration, by name.
     """
+    from similitude.estimators.filter_lean import TURNS  # with symbolic algebra, for a small filter alone
+
     slow = ("disturbance_adapt", "noise_adapt", "excitation_rate")  # of so many samples at once
     rates = [v for n, v in values.items() if n.endswith("_rate")] + [TURNS * values[n] for n in slow]
     return min(1 / max(rates), 2 * values["structure_time"])

@@ -151,7 +151,7 @@ def test_a_cross_check_is_told_with_both_numbers_and_how_far_apart_they_are(exam
     assert "Two estimators of different kinds agree" in told(run).text
     run.cross_check.std = 0.12
     said = told(run).text
-    assert "agree" not in said and "2.6 sd apart" in said and "less than the 3" in said
+    assert "agree" not in said and "2.6 sd apart" in said and "less than what is called" in said
     run.cross_check.std = 0.06
     run.cross_check.structure_error = True
     said = told(run).text

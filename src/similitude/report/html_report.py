@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from similitude.cross_check import APART
 from similitude.report import html_tables
 from similitude.report.alarm_words import alarm_lines, known_lines
 from similitude.report.cost_curve import cost_curve
@@ -157,8 +156,8 @@ def _cross_check(check: CrossCheck) -> Html:
     what = "Two estimators of different kinds agree."
     if apart > AGREED:
         what = (
-            f"Two estimators of different kinds lie {apart:.1f} sd apart: more than usual, less than the "
-            f"{APART:.0f} from which it is called an error of the structure."
+            f"Two estimators of different kinds lie {apart:.1f} sd apart: more than usual, less than what is "
+            "called an error of the structure."
         )
     if check.structure_error:
         what = "Two estimators of different kinds disagree: an error of the structure, see the warnings."
