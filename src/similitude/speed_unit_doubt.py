@@ -20,7 +20,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from similitude.batch_fit import BatchFit, climb_roughly, fit_batch
+from similitude.batch_fit import ROUGH_RATE, BatchFit, climb_roughly, fit_batch
 from similitude.batch_slopes import OUTLIER, Whitened, whiten
 from similitude.errors import shown
 from similitude.filter_run import side_by_side
@@ -98,6 +98,7 @@ def _worth_a_fit(
     ready: Prepared, batch: BatchFit, others: list[tuple[float, str, str | None]]
 ) -> list[tuple[float, str, str | None]]:
     """Those of the other units that a rough climb, which is lenient by `ROUGH` odds, does not rule out."""
+    ready = replace(ready, setup=ready.setup.at_rate(ROUGH_RATE))  # once for all of them
 
     def least_cost(factor: float, start: np.ndarray) -> float:
         frozen = replace(batch.frozen, setup=_faster(ready, factor).setup)
