@@ -238,6 +238,24 @@ def _validity(layout: Layout, states: Mapping[sp.Symbol, sp.Symbol]) -> list[Sta
     ]
 
 
+def innovate(variance: sp.Expr, seen: Sequence[Statement] = ()) -> list[Statement]:
+    """Innovation, variance and weight; ``seen`` is done with its square before an outlier's is cut."""
+    nu = S("innovation")
+    return [
+        Assign("innovation", S("measured") - S("predicted")),
+        Assign("innovation_variance", variance),
+        Assign("inv_spread", 1 / S("innovation_variance")),
+        Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
+        *seen,
+        When(
+            S("nis") > S("outlier_ratio"),
+            (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
+            (),
+            "an outlier counts for less",
+        ),
+    ]
+
+
 def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     """Kalman update with a bounded innovation; unknowns are held while nothing excites them."""
     P = layout.covariance
@@ -246,19 +264,8 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     early = sorted({*H, t})
     lines: list[Statement] = list(column(P, H, "c", early))
     total = sp.Add(*(entry * S(f"c_{k}") for k, entry in H.items())) + S("noise")
-    nu = S("innovation")
     lines += [
-        Assign("innovation", S("measured") - S("predicted")),
-        Assign("innovation_variance", total),
-        Assign("inv_spread", 1 / S("innovation_variance")),
-        Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
-        *_warm(layout),
-        When(
-            S("nis") > S("outlier_ratio"),
-            (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
-            (),
-            "an outlier counts for less",
-        ),
+        *innovate(total, _warm(layout)),
         Assign("inv_P", 1 / P[t, t]),
         Assign("sensitivity", S(f"c_{t}") * S("inv_P"), f"of the output to ln {layout.target}"),
         Assign(

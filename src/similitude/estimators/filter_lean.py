@@ -73,23 +73,14 @@ def lean_dynamics(
 
 def lean_update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     """Kalman update with a bounded innovation, as the population filter's."""
-    P, names, nu = layout.covariance, layout.coordinates, S("innovation")
+    P, names = layout.covariance, layout.coordinates
     t = names.index(layout.target)
     slow = {i for i, name in enumerate(names) if name in (*layout.unknowns, INPUT_SCALE)}
     early = sorted(range(P.n) if slow & H.keys() else {*H, t})  # read before they change
     total = sp.Add(*(entry * S(f"c_{k}") for k, entry in H.items())) + S("noise")
     return [
         *column(P, H, "c", early),
-        Assign("innovation", S("measured") - S("predicted")),
-        Assign("innovation_variance", total),
-        Assign("inv_spread", 1 / S("innovation_variance")),
-        Assign("nis", nu * nu * S("inv_spread"), "normalised innovation squared"),
-        When(
-            S("nis") > S("outlier_ratio"),
-            (Assign("inv_spread", S("inv_spread") * S("outlier_ratio") / S("nis")),),
-            (),
-            "an outlier counts for less",
-        ),
+        *cov.innovate(total),
         Assign("odd", sp.Min(S("nis"), 9) - 1, "by how much it is not as expected"),
         *_surprise(layout),
         Assign("inv_P", 1 / P[t, t]),
