@@ -27,11 +27,11 @@ FORGETTING = 0.999
 P_START = 1e3
 # The order of `config` in reference.c, by the generated one's names.
 PAPER_ORDER = (
-    *("L", "pi1", "pi4_slope", "pi5", "sample_time"),
+    *("input_ratio", "K_per_theta"),
     *(f"poles_{section}_{i}" for section in (1, 2) for i in range(2)),
-    *("pi3_start", "normal_start", "normal_least", "forgetting", "dead_zone"),
+    *("theta_start", "normal_start", "normal_least", "forgetting", "dead_zone"),
     *("settle_samples", "noise_variance"),
-    *("K_low", "K_limit", "variance_limit", "dt_low", "dt_high", "U_least"),
+    *("theta_low", "theta_limit", "variance_limit", "sample_time", "dt_room", "U_least"),
     *("input_limit", "output_limit", "output_jump", "signal_limit", "validity_limit"),
 )
 _POINTER, _LONG, _DOUBLE = ctypes.c_void_p, ctypes.c_long, ctypes.c_double
@@ -91,6 +91,7 @@ def small_car_config(library: Library, drive: Drive) -> NDArray[np.float64]:
         library,
         sample_time=float(drive.t[1] - drive.t[0]),
         L=SMALL_CAR["L"],
+        speed=float(np.nanmedian(drive.U)),
         noise_std=1e-3,
         pi1=p1,
         pi4_slope=SMALL_CAR["eta"] * p1 / p2,

@@ -28,20 +28,20 @@ typedef struct { double sum, a2; } poles; /* 1 + a1 + a2 and a2 of a section who
 typedef struct { double dt, steer, U, yaw_rate; } sample;
 
 typedef struct {
-    double K, ln_K_variance, predicted, innovation, innovation_variance, information, pi3;
+    double K, ln_K_variance, predicted, innovation, innovation_variance, pi3;
 } output;
 
 typedef struct {
-    double L, pi1, pi4_slope, pi5, sample_time;
+    double input_ratio, K_per_theta;
     poles section[2];
-    double pi3_start, normal_start, normal_least, forgetting, dead_zone, settle_samples, noise_variance;
-    double K_low, K_limit, variance_limit, dt_low, dt_high, U_least;
+    double theta_start, normal_start, normal_least, forgetting, dead_zone, settle_samples, noise_variance;
+    double theta_low, theta_limit, variance_limit, sample_time, dt_room, U_least;
     double steer_limit, yaw_limit, yaw_jump, U_limit, validity_limit;
 } config;
 
 /* What follows from the configuration and stays the same for the whole log. */
 typedef struct {
-    double per_steer, per_yaw, normal_start, validity_square;
+    double validity_square, shortest, longest;
     long settle;
 } constants;
 
@@ -49,7 +49,7 @@ typedef struct {
 typedef struct { double last, change, held[2], moved[2]; } memory;
 
 typedef struct {
-    double theta, normal, mean_square, weight, information, last_U;
+    double theta, normal, mean_square, weight, last_U;
     memory steer, yaw;
     long fresh;
 } state;
@@ -69,19 +69,12 @@ static inline double filter(const poles *section, memory *m, double step)
     return second;
 }
 
-static inline double clamp(double x, double low, double high)
-{
-    return x < low ? low : x > high ? high : x;
-}
-
 static constants prepare(const config *c)
 {
-    const double rear = (1.0 - c->pi1) * (1.0 - c->pi1) * c->pi4_slope;
     constants k;
-    k.per_steer = c->pi1 * c->sample_time / (c->L * c->L * c->pi5);
-    k.per_yaw = (1.0 + c->pi4_slope + (c->pi1 * c->pi1 + rear) / c->pi5) * c->sample_time / c->L;
-    k.normal_start = c->normal_start / (c->L * c->L);
     k.validity_square = c->validity_limit * c->validity_limit;
+    k.shortest = c->sample_time - c->dt_room;
+    k.longest = c->sample_time + c->dt_room;
     k.settle = (long)c->settle_samples;
     return k;
 }
@@ -89,15 +82,14 @@ static constants prepare(const config *c)
 /* One update of the regression; returns the sample's status. */
 static inline int learn(const config *c, const constants *k, state *s, double phi, double residual)
 {
-    const double explained = phi * s->theta;
     const double ay = s->last_U * s->yaw.last;
-    const double spread = c->noise_variance;
     s->normal = c->forgetting * s->normal + phi * phi + c->normal_least;
-    s->theta = clamp(s->theta + phi * residual / s->normal, -c->K_limit, c->K_limit);
+    const double moved = s->theta + phi * residual / s->normal;
+    if (moved < c->theta_limit && moved > -c->theta_limit)
+        s->theta = moved;
     s->weight = c->forgetting * s->weight + 1.0;
     s->mean_square += (residual * residual - s->mean_square) / s->weight;
-    s->information += explained * explained / (s->mean_square > spread ? s->mean_square : spread);
-    if (s->theta <= c->K_low)
+    if (s->theta <= c->theta_low)
         return AT_LIMIT;
     return ay * ay > k->validity_square ? OUTSIDE_LINEAR : OK;
 }
@@ -118,13 +110,7 @@ static inline int advance(const config *c, const constants *k, state *s, const s
         yaw = s->yaw.last;
         usable = 0;
     }
-    if (U > c->U_least) {
-        s->last_U = U;
-    } else {
-        live = 0;
-        status = TOO_SLOW;
-    }
-    if (s->fresh > 0 && !(in->dt > c->dt_low && in->dt < c->dt_high)) {
+    if (!(in->dt > k->shortest && in->dt < k->longest)) {
         s->fresh = 0;
         status = RESTARTED;
     }
@@ -134,44 +120,45 @@ static inline int advance(const config *c, const constants *k, state *s, const s
         s->fresh = 0;
         status = NO_MEASUREMENT;
     }
+    if (U > c->U_least) {
+        s->last_U = U;
+    } else {
+        s->fresh = 0;
+        status = status == NOT_EXCITED ? TOO_SLOW : status;
+    }
     const double moved = s->yaw.moved[1];
-    const double phi = k->per_steer * s->steer.moved[1] - k->per_yaw / s->last_U * moved;
+    const double phi = c->input_ratio * s->steer.moved[1] - moved / s->last_U;
     filter(c->section, &s->steer, steer - s->steer.last);
     const double y = filter(c->section, &s->yaw, yaw - s->yaw.last) - moved;
     s->steer.last = steer;
     s->yaw.last = yaw;
     const double residual = y - phi * s->theta;
     out->predicted = yaw - residual; /* the newest yaw rate has weight one in y */
-    out->innovation = usable ? residual : 0.0;
-    if (live && s->fresh > k->settle && (yaw > c->dead_zone || yaw < -c->dead_zone)) {
+    out->innovation = s->fresh > 0 ? residual : 0.0;
+    if (s->fresh >= k->settle && (yaw > c->dead_zone || yaw < -c->dead_zone))
         status = learn(c, k, s, phi, residual);
-    } else if (s->weight < 0.5) { /* nothing was learnt yet: the start is one of pi3 */
-        s->theta = c->pi3_start * s->last_U * s->last_U;
-        s->normal = k->normal_start / (s->last_U * s->last_U);
-    }
     return status;
 }
 
 static inline void report(const config *c, const state *s, output *out)
 {
-    const double K = s->theta > c->K_low ? s->theta : c->K_low;
-    out->pi3 = K / (s->last_U * s->last_U);
-    out->K = K;
+    const double theta = s->theta > c->theta_low ? s->theta : c->theta_low;
+    out->K = theta * c->K_per_theta;
+    out->pi3 = out->K / (s->last_U * s->last_U);
     out->innovation_variance = s->mean_square > c->noise_variance ? s->mean_square : c->noise_variance;
-    out->information = s->information;
-    out->ln_K_variance = c->variance_limit;
-    if (s->weight > 0.5) {
-        const double variance = out->innovation_variance / (s->normal * K * K);
-        if (variance < c->variance_limit)
-            out->ln_K_variance = variance;
-    }
+    const double variance = out->innovation_variance / (s->normal * theta * theta);
+    out->ln_K_variance = variance < c->variance_limit ? variance : c->variance_limit;
 }
 
 /* The regression over a log. */
 API void reference_paper(const config *c, long n, const sample *in, output *out, int *status)
 {
     const constants k = prepare(c);
-    state s = {.last_U = c->U_least};
+    state s = {.last_U = c->U_least,
+               .theta = c->theta_start,
+               .normal = c->normal_start,
+               .mean_square = c->noise_variance,
+               .weight = 1.0};
     for (long i = 0; i < n; ++i) {
         if (in[i].dt > 0.0 && in[i].dt < 1e6) {
             status[i] = advance(c, &k, &s, &in[i], &out[i]);

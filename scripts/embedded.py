@@ -226,7 +226,7 @@ def _measured(
 
 def _judge(name: str, cost: Cost, words: int, budgets: dict, *, write: bool) -> list[str]:
     """Print a row; what is wrong with it."""
-    over = ""
+    over = f"report {cost.report}" if cost.report else ""
     faults = [f"{name} on {cost.target}: {cost.differing} words differ"] if cost.differing else []
     key = f"{name}/{cost.target}"
     if write:

@@ -40,8 +40,8 @@ PAPER = (
     ("filters", "input_bend ="),
     ("regressor and prediction", "phi ="),
     ("learning", "if ((BEYOND(y_now"),
-    ("a sample without time", "predicted = state->last_measured"),
-    ("K, interval, verdict, outputs", "if (state->theta > config->K_low)"),
+    ("end of the filters, no time", "state->input_2 = state->input_2"),
+    ("report: K, interval, outputs", "_report("),
 )
 COUNTED = {"small_population": FILTER, "paper": PAPER}
 

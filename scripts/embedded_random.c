@@ -100,7 +100,12 @@ int main(void)
         for (i = 0; i < FIELDS; ++i) {
             (&sample.dt)[i] = field(i, k, k < SAMPLES && (k / 1000) % 2);
         }
+#if OF(_REPORTS)
+        status = OF(_step)(&OF(_numbers), &state, &sample);
+        OF(_report)(&OF(_numbers), &state, &output);
+#else
         status = OF(_step)(&OF(_numbers), &state, &sample, &output);
+#endif
         faults += status < 0 || status > 7;
         faults += !is_finite((const float *)&output, OUTPUTS) || !is_finite((const float *)&state, STATES);
         used += k >= SAMPLES && (status <= 3);

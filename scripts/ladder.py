@@ -69,7 +69,7 @@ def config(name: str, groups: dict[str, float], noise: float) -> np.ndarray:
         slopes = {"pi1": groups["pi1"], "pi4_slope": groups["k"], "pi5": groups["pi5"]}
         forgetting = math.exp(-1 / RATE / MEMORY)
         return paper_config(
-            library, sample_time=1 / RATE, L=L, noise_std=noise, forgetting=forgetting, **slopes
+            library, sample_time=1 / RATE, L=L, speed=U, noise_std=noise, forgetting=forgetting, **slopes
         )
     if name == "population":
         return filter_config(library, prior, L=L, noise_std=noise, input_scale_sd=0.02)

@@ -39,7 +39,7 @@ def test_a_differing_word_is_exit_code_3(capsys, tmp_path):
     out = tmp_path / "firmware"
     run(capsys, "bicycle", "--estimator", "paper", "--real", "float", "--target", "host", "--out", out)
     config = out / "bicycle_paper_config.h"
-    config.write_text(config.read_text().replace("2.69e+00f", "2.7e+00f"))
+    config.write_text(config.read_text().replace("9.9995e-01f", "9.9994e-01f"))
     code, _, said = run(capsys, "--verify", out)
 
     assert code == 3 and "words of bicycle_paper differ" in said

@@ -42,7 +42,13 @@ def identify_paper(log: Log, vehicle: Vehicle) -> Run:
     noise, L = gyro_noise(log.r, vehicle.yaw_rate_noise), vehicle.L.value
     sample_time = float(np.median(np.diff(log.t)))
     config = design.paper_config(
-        library, sample_time=sample_time, L=L, noise_std=noise.std, **design.PAPER_GROUPS
+        library,
+        sample_time=sample_time,
+        L=L,
+        speed=float(np.nanmedian(log.U)),
+        noise_std=noise.std,
+        K_start=float(prior.mean[0]),
+        **design.PAPER_GROUPS,
     )
     state = library.start(config)
     setup = population_setup(log, prior, L=L, noise_std=noise.std, input_scale_sd=MEASURED_STEER_SD)
@@ -50,7 +56,7 @@ def identify_paper(log: Log, vehicle: Vehicle) -> Run:
     samples = setup.with_lag(scan.chosen, MEASURED_STEER_SD).samples()
     outputs, status = library.run(config, state, samples)
     speed = float(state[library.index("state", "last_U")]) or 1.0
-    bias = predicted_bias(library, config, state, noise_std=noise.std, pi3=prior.mean[0] / speed**2)
+    bias = predicted_bias(library, config, state, L=L, noise_std=noise.std, pi3=prior.mean[0] / speed**2)
     T = design.dimensionless_step(sample_time, speed, L)
     off = known_errors(T, bias, looks_like_command(scan))
     trace = _trace(library, log, outputs, status, off)
@@ -105,11 +111,22 @@ def _trace(library: Library, log: Log, outputs: NDArray, status: NDArray[np.int3
         r_predicted=output("predicted"),
         innovation=np.where(used, output("innovation"), np.nan),
         innovation_std=np.sqrt(output("innovation_variance")),
-        information=output("information_gained"),
+        information=_gained(K, output("variance"), output("innovation_variance"), used),
         U=U,
         ay_kinematic=U * output("predicted"),
         status=status,
     )
+
+
+def _gained(K: NDArray, variance: NDArray, spread: NDArray, used: NDArray) -> NDArray[np.float64]:
+    """Information gained about ln K up to each row, from what the estimator hands out, (n,) [-].
+
+    1/variance is K^2/spread times the weighted sum of squared regressors; of that sum each update forgets a
+    share and adds its own square.
+    """
+    squares = spread / (variance * K**2)
+    kept = design.DESIGN["forgetting"] * np.concatenate([squares[:1], squares[:-1]])
+    return np.cumsum(np.where(used, np.maximum(squares - kept, 0.0) * K**2 / spread, 0.0))
 
 
 def _group(value: float, std: float, prior: Prior) -> Group:

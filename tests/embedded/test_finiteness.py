@@ -10,7 +10,7 @@ from similitude.embedded.state_bounds import BOUNDS
 from similitude.embedded.system import find_source
 from similitude.program.library import shipped
 
-CONSTANT = {"paper": {"from_input", "from_output"}, "band": {"input_gain", "damping"}}
+CONSTANT = {"paper": set(), "band": {"input_gain", "damping"}}
 
 
 def elements(rows):

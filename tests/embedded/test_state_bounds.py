@@ -15,7 +15,7 @@ FILTERED = {
     "band": {f"{s}_before" for s in ("input", "output")}
     | {f"{s}_memory_{i}" for s in ("input", "output") for i in range(8)},
 }
-AVERAGED = {"paper": {"mean_square"}, "band": {"mean_square", "excitation", "block_score", "block_weight"}}
+AVERAGED = {"paper": {"residual"}, "band": {"mean_square", "excitation", "block_score", "block_weight"}}
 
 
 @pytest.fixture(params=sorted(BOUNDS))

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from similitude.embedded.fixed_profile import PAPER_ALONE
+from similitude.embedded.fixed_profile import named_for_sums
 from similitude.estimators.fixed_ranges import Names, paper_derived
-from similitude.estimators.paper_design import PAPER_GROUPS, bessel_biquads, paper_config
+from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 from similitude.estimators.paper_sums import paper_sums
 from similitude.program.library import shipped
 from similitude.systems.bicycle import bicycle_reduction
@@ -17,12 +17,10 @@ def paper_named():
     """The flat configuration of `bicycle_paper`, and that of its sums by name."""
     library = shipped("bicycle_paper")
     limits = {"U_least": 4.0, "output_limit": 3.7, "forgetting": 1 - 2.0**-14}
-    config = paper_config(library, sample_time=STEP, L=L, noise_std=NOISE, **limits, **PAPER_GROUPS)
-    named = dict(zip(library.names("config"), config.tolist(), strict=True))
-    for name in PAPER_ALONE:
-        del named[name]
-    for k, row in enumerate(bessel_biquads(STEP).tolist(), start=1):
-        named |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
+    config = paper_config(
+        library, sample_time=STEP, L=L, speed=20.0, noise_std=NOISE, **limits, **PAPER_GROUPS
+    )
+    named = named_for_sums(dict(zip(library.names("config"), config.tolist(), strict=True)), L=L)
     named |= {"K_start": 145.0, "K_low": 17.0, "K_limit": 9700.0}
     return config, paper_derived(paper_sums(bicycle_reduction()), named, NAMES)
 

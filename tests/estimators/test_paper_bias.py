@@ -18,11 +18,11 @@ def noisy(noise_std, *, amplitude=0.1, scale=1.0, seed=1):
     delta = servo_square(N, amplitude)
     r = yaw_rate(delta, scale)
     r = r + np.random.default_rng(seed).normal(0, noise_std, N)
-    config = paper_config(library(), sample_time=TS, L=L, noise_std=noise_std, **OWN)
+    config = paper_config(library(), sample_time=TS, L=L, speed=U, noise_std=noise_std, **OWN)
     state = library().start(config)
     values, _ = library().run(config, state, samples(delta, r))
     pi3 = scale * K / U**2
-    found = predicted_bias(library(), config, state, noise_std=noise_std, pi3=pi3)
+    found = predicted_bias(library(), config, state, L=L, noise_std=noise_std, pi3=pi3)
     return outputs(values, "pi3")[-1] / pi3, found
 
 

@@ -11,6 +11,7 @@ from similitude.systems.bicycle import bicycle_reduction
 
 from .paper_case import library
 
+CAR = {"sample_time": 0.01, "L": 2.7, "speed": 20.0, "noise_std": 1e-3, **design.PAPER_GROUPS}
 PAPER = (0.4431, 1.0977, 0.2510)  # pi1, k, pi5
 
 
@@ -29,16 +30,14 @@ def test_the_filter_is_the_bilinear_transform_of_the_analogue_bessel(sample_time
 
 
 def test_the_configuration_stands_in_the_order_of_the_struct():
-    made = design.paper_config(
-        library(), sample_time=0.01, L=2.7, noise_std=1e-3, **design.PAPER_GROUPS, dead_zone=0.2
-    )
+    made = design.paper_config(library(), **CAR, dead_zone=0.2)
     at = dict(zip(library().names("config"), made, strict=True))
 
     assert made.dtype == np.float64
     assert made.shape == (len(library().names("config")),)
-    assert (at["L"], at["sample_time"], at["dead_zone"]) == (2.7, 0.01, 0.2)
-    assert (at["pi1"], at["pi4_slope"], at["pi5"]) == PAPER
-    assert at["settle_samples"] == 12  # 5/45 s at 100 Hz, whole samples
+    assert (at["sample_time"], at["dead_zone"]) == (0.01, 0.2)
+    assert at["settle_samples"] == 13  # 5/45 s at 100 Hz in whole samples, and the one that may update
+    assert at["theta_start"] * at["K_per_theta"] == pytest.approx(0.2 * 20.0**2)
     poles = [made[library().index("config", f"poles_{i}") :][:2] for i in (1, 2)]
     found = np.array([design.high_pass_biquad(*pair) for pair in poles])
     assert found == pytest.approx(design.bessel_biquads(0.01), rel=1e-12)
@@ -46,9 +45,16 @@ def test_the_configuration_stands_in_the_order_of_the_struct():
 
 def test_a_constant_that_is_not_one_is_refused():
     with pytest.raises(ProgramError, match="deadzone"):
-        design.paper_config(
-            library(), sample_time=0.01, L=2.7, noise_std=1e-3, **design.PAPER_GROUPS, deadzone=0.2
-        )
+        design.paper_config(library(), **CAR, deadzone=0.2)
+
+
+def test_the_two_numbers_of_the_regressor_are_those_derived_from_the_model():
+    values = {**design.PAPER_GROUPS, "L": 2.7, "sample_time": 0.01}
+    at = dict(zip(library().names("config"), design.paper_config(library(), **CAR), strict=True))
+    found = regression(bicycle_reduction()).constants
+    derived = [float(e.subs({s: values[s.name] for s in e.free_symbols})) for e in found]
+
+    assert [at["input_ratio"], at["K_per_theta"]] == pytest.approx(derived, rel=1e-12)
 
 
 def test_the_slopes_are_those_derived_from_the_model():

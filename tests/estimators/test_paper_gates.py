@@ -11,7 +11,7 @@ from .paper_case import OWN, TS, K, L, U, library, outputs, samples, servo_squar
 N = 12_000
 DELTA = servo_square(N)
 R = yaw_rate(DELTA)
-CONFIG = dict(sample_time=TS, L=L, noise_std=1e-6, **OWN)
+CONFIG = dict(sample_time=TS, L=L, speed=U, noise_std=1e-6, **OWN)
 SETTLE = 112  # ceil(5/45/0.001)
 
 

@@ -34,7 +34,8 @@ def test_it_reads_what_the_paper_reads(sums):
     library = shipped("bicycle_paper")
     for name in ("normal_start", "normal_least"):  # no prior in either: they state theirs differently
         paper[library.index("config", name)] = 1e-30
-    paper[library.index("config", "K_low")] = named["K_low"]
+    per_theta = paper[library.index("config", "K_per_theta")]
+    paper[library.index("config", "theta_low")] = named["K_low"] / per_theta
     named |= {"normal_start": 1e-30, "K_limit": 1e9, "psi_limit": 1e9}
     config = values(sums, named)
     ours, status = sums.run(config, sums.start(config), rows)

@@ -32,7 +32,8 @@ def test_the_gain_that_follows_drives_otherwise():
 
 def test_the_regression_starts_where_it_is_told():
     drive = square()
-    assert regression_reads(drive, drive.r, pi3_start=0.3)[0] == pytest.approx(0.3)
+    started = regression_reads(drive, drive.r, K_start=0.3 * drive.U[0] ** 2)
+    assert started[0] == pytest.approx(0.3)
 
 
 @pytest.mark.parametrize("name", ["square_closed_loop", "treadmill_hydroplaning", "wet_lane"])

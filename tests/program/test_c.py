@@ -13,11 +13,16 @@ from similitude.estimators.population_filter import population_filter
 from similitude.program.c import names_read, names_written, operations, print_c
 from similitude.program.compile import compile_source, load_library
 from similitude.program.ir import Assign, When
+from similitude.program.python import print_python
 from similitude.systems.bicycle import bicycle_reduction
 
-from .tiny import mean, rate, tiny_program, x
+from .tiny import mean, rate, reporting_program, tiny_program, x
 
-PROGRAMS = {"tiny": tiny_program, "bicycle": lambda: population_filter(bicycle_reduction())}
+PROGRAMS = {
+    "tiny": tiny_program,
+    "reporting": reporting_program,
+    "bicycle": lambda: population_filter(bicycle_reduction()),
+}
 needs_cc = pytest.mark.skipif(shutil.which("cc") is None, reason="asks the compiler for warnings")
 
 
@@ -63,7 +68,8 @@ def test_it_needs_no_symbol_and_exports_only_its_own(program):
     own = sorted(line.split()[-1] for line in listed if " T " in line)
     asked = [line.split()[-1] for line in listed if " U " in line]
 
-    assert own == sorted(f"{program.name}_{verb}" for verb in ("batch", "init", "step"))
+    verbs = ("batch", "init", "step", *(["report"] if program.report else []))
+    assert own == sorted(f"{program.name}_{verb}" for verb in verbs)
     assert asked == []  # weak ones of the C start-up files apart
 
 
@@ -117,3 +123,17 @@ def test_a_guard_with_nothing_in_its_first_way_is_turned_round():
     shown, _, _ = run_tiny(print_c(program), np.array([[1.0, 5.0], [1.0, np.nan], [1.0, 5.0]]))
 
     assert shown.tolist() == [0.0, -2.0, -2.0]
+
+
+def test_a_report_follows_every_step_of_the_batch_as_of_the_twin():
+    program, samples = reporting_program(), np.array([[0.1, 1.0], [0.1, np.nan], [5.0, 3.0]])
+    twin: dict = {}
+    exec(print_python(program), twin)
+    flat = twin["init"]([2.0])
+    told = [twin["step"]([2.0], flat, row) for row in samples.tolist()]
+
+    shown, status, state = run_tiny(print_c(program), samples)
+
+    assert shown.tolist() == [0.4 - 1.0, 0.4 - 1.0, 6.0 - 3.0] == [y for _, (y,) in told]
+    assert status.tolist() == [0, 7, 0] and state.tolist() == flat
+    assert twin["REPORTS"] and "const average_sample *sample)\n" in print_c(program)

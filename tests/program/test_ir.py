@@ -87,3 +87,17 @@ def test_shared_parts_change_no_value():
     assert [s.target for s in lines][-2:] == ["first", "second"]
     assert lines[-2].comment == "why"
     assert shared("t", named) == shared("t", dict(named))
+
+
+def test_a_report_reads_the_state_and_works_out_every_output():
+    last = [s for s in RIGHT.step if getattr(s, "target", "") != "shown"]
+    asked = tiny_program(step=tuple(last), report=(Assign("shown", mean),))
+    assert asked.report[0].target == "shown"
+    with pytest.raises(ProgramError, match="its step assigns the output shown"):
+        tiny_program(report=(Assign("shown", mean),))
+    with pytest.raises(ProgramError, match="leaves shown without"):
+        tiny_program(step=tuple(last), report=(Assign("half", mean / 2),))
+    with pytest.raises(ProgramError, match="reads x in 'shown'"):  # a sample is gone by then
+        tiny_program(step=tuple(last), report=(Assign("shown", x),))
+    with pytest.raises(ProgramError, match="assigns 'mean' again"):
+        tiny_program(step=tuple(last), report=(Assign("shown", mean), Assign("mean", mean / 2)))

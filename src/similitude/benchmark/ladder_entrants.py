@@ -126,13 +126,19 @@ def _paper(drive: Drive) -> Answer:
     library = shipped("bicycle_paper")
     sample_time = float(np.median(np.diff(drive.t)))
     config = paper_design.paper_config(
-        library, sample_time=sample_time, L=drive.L, noise_std=drive.noise, **paper_design.PAPER_GROUPS
+        library,
+        sample_time=sample_time,
+        L=drive.L,
+        speed=float(np.nanmedian(drive.U)),
+        noise_std=drive.noise,
+        K_start=float(ready.prior.mean[0]),
+        **paper_design.PAPER_GROUPS,
     )
     state, rows = library.start(config), ready.setup.samples()
     outputs, _ = library.run(config, state, rows)
     speed = float(state[library.index("state", "last_U")]) or 1.0
     pi3 = ready.prior.mean[0] / speed**2
-    bias = predicted_bias(library, config, state, noise_std=drive.noise, pi3=pi3)
+    bias = predicted_bias(library, config, state, L=drive.L, noise_std=drive.noise, pi3=pi3)
     off = known_errors(paper_design.dimensionless_step(sample_time, speed, drive.L), bias, command=False)
     return Answer(
         K=outputs[:, library.index("output", "estimate")],

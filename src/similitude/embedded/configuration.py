@@ -20,6 +20,7 @@ from similitude.program.library import Library
 REFERENCE_L = 2.69  # m: a middle-sized car
 REFERENCE_NOISE = np.deg2rad(0.15)  # rad/s: an automotive gyro
 REFERENCE_TIME = 0.010  # s
+REFERENCE_SPEED = 20.0  # m/s: nothing but the weight of the start depends on it
 REFERENCE_PLACE = 0.45  # of the wheelbase behind the front axle: on the tunnel between the seats
 TIMES = ("s", "1/s")
 POPULATION = ("population", "small_population")
@@ -141,7 +142,9 @@ def _values(
     if estimator == "paper":
         from similitude.estimators.paper_design import PAPER_GROUPS, paper_config
 
-        return paper_config(library, sample_time=step, L=L, noise_std=noise, **PAPER_GROUPS)
+        K = float(prior.mean[0])
+        place = {"sample_time": step, "L": L, "speed": REFERENCE_SPEED, "noise_std": noise, "K_start": K}
+        return paper_config(library, **place, **PAPER_GROUPS)
     if estimator == "scalar_population":
         from similitude.estimators.scalar_design import scalar_config
 
@@ -209,11 +212,11 @@ def _constants(estimator: str, step: float) -> dict[str, Any]:
     timed = {"sample_time": step, "dt_low": 0.5 * step, "dt_high": 1.5 * step}
     if estimator == "paper":
         from similitude.estimators.paper_design import DESIGN as PAPER
-        from similitude.estimators.paper_design import P_START, bessel_biquads, section_gain, section_poles
+        from similitude.estimators.paper_design import bessel_biquads, section_poles
 
         sections = bessel_biquads(step)
         own = {n: PAPER[n] for n in ("forgetting", "variance_limit")}
+        own["dt_room"] = 0.5 * step
         own |= {f"biquad_{i}": row for i, row in enumerate(sections, 1)}  # of the fixed-point profile
-        own["normal_start"] = 1.0 / (P_START * section_gain(sections) ** 2)
         return {**own, **timed, **{f"poles_{i}": section_poles(row) for i, row in enumerate(sections, 1)}}
     return timed

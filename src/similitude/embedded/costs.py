@@ -31,7 +31,8 @@ class Cost:
     unit: str  # of mean and most: instructions or cycles a sample
     mean: float
     most: int
-    step: int
+    report: int  # the most, when it is asked for; 0 where the step hands out everything
+    step: int  # code of it, and of the report
     init: int
     saving: int  # save and restore
     numbers: int  # the configuration
@@ -75,6 +76,7 @@ def measure(
         unit=target.unit,
         mean=round(float(np.mean(out.counts)), 1),
         most=int(out.counts.max()),
+        report=out.report,
         step=sum(size for name, size in plain.items() if name not in (*SAVING, "init")),
         init=plain["init"],
         saving=sum(plain.get(name, 0) for name in SAVING),

@@ -9,9 +9,11 @@ from __future__ import annotations
 from numpy.typing import NDArray
 
 from similitude.embedded.state_bounds import MARGIN, Bounds
+from similitude.embedded.texts import step_end
 from similitude.program.library import Library
 
 FINITE = "finite.c"
+ADVANCES = 1e6  # s: a step that is longer is no time at all
 
 _MAIN = """\
 /* One step of {name} from any state within its bounds, for Frama-C Eva (25.0):
@@ -41,7 +43,7 @@ int main(void)
 #else
 {samples}
 #endif
-    (void){name}_step(&{name}_numbers, &state, &sample, &output);
+    (void){name}_step(&{name}_numbers, &state, &sample{step_end}
 {asserts}
     return 0;
 }}
@@ -80,6 +82,7 @@ def finite_text(library: Library, config: NDArray, bounds: Bounds, *, precision:
         ),
         samples="\n".join(f"    sample.{f} = ANY;" for f in library.names("sample")),
         asserts="\n".join(asserts),
+        step_end=step_end(library),
     )
 
 
@@ -98,7 +101,8 @@ def _gates(library: Library, config: NDArray) -> dict[str, tuple[float, float]]:
         return -value, value
 
     dt, driven, speed, measured = library.names("sample")
-    longest = float(config[library.index("config", "dt_high")])
+    asked = "dt_high" in library.names("config")
+    longest = float(config[library.index("config", "dt_high")]) if asked else ADVANCES
     return {dt: (0.0, longest), driven: limit("input"), speed: limit("signal"), measured: limit("output")}
 
 

@@ -33,7 +33,7 @@ from similitude.estimators.fixed_ranges import (
     scalar_ranges,
 )
 from similitude.estimators.ladder_design import LIMIT_SD, ROOM, SLOW_PI3
-from similitude.estimators.paper_design import bessel_biquads
+from similitude.estimators.paper_design import PAPER_GROUPS, bessel_biquads
 from similitude.estimators.paper_sums import paper_sums
 from similitude.estimators.scalar_population import scalar_population_filter
 from similitude.program.c import print_c
@@ -146,7 +146,8 @@ def _cars(
     """
     numbers = find_numbers(source, vehicle=vehicle, sample_time=sample_time)
     named = dict(zip(source.library().names("config"), numbers.values.tolist(), strict=True))
-    prior = vehicle_prior(read_vehicle(vehicle) if vehicle is not None else reference_car())
+    car = read_vehicle(vehicle) if vehicle is not None else reference_car()
+    prior = vehicle_prior(car)
     K, width = float(prior.mean[0]), LIMIT_SD * math.hypot(prior.std[0], ROOM)
     low, high = K * math.exp(-width), K * math.exp(width)
     least = max(named["U_least"], math.sqrt(K / SLOW_PI3))
@@ -158,17 +159,27 @@ def _cars(
         "output_limit": (named["output_limit"], "rad/s", "1.5 g at that speed"),
     }
     if estimator == "paper":
-        for name in PAPER_ALONE:
-            del named[name]
-        for k, row in enumerate(bessel_biquads(named["sample_time"]).tolist(), start=1):
-            named |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
+        named = named_for_sums(named, L=car.L.value)
         named |= {"K_start": K, "K_low": low, "K_limit": K_ROOM * high}
     return named, replace(numbers, assumed={**numbers.assumed, **assumed})
 
 
-PAPER_ALONE = (  # of the profile in reals
-    *("pi3_start", "normal_start", "normal_least", "K_low", "K_limit"),
-    *(f"poles_{k}_{i}" for k in (1, 2) for i in (0, 1)),
-)
+def named_for_sums(named: Mapping[str, float], *, L: float) -> dict[str, float]:
+    """What the paper's regression in sums takes of that in reals, by name; limits of K stay to be stated.
+
+    Parameters
+    ----------
+    named : configuration of the regression in reals. L : wheelbase [m].
+    """
+    alone = ("theta_", "normal_", "poles_", "input_ratio", "K_per_theta")
+    taken = {n: x for n, x in named.items() if not n.startswith(alone)}
+    step, room = taken["sample_time"], taken.pop("dt_room")
+    taken |= {"dt_low": step - room, "dt_high": step + room, "L": L, **PAPER_GROUPS}
+    taken["settle_samples"] -= 1.0
+    for k, row in enumerate(bessel_biquads(step).tolist(), start=1):
+        taken |= {f"biquad_{k}_{i}": x for i, x in enumerate(row)}
+    return taken
+
+
 K_ROOM = 8.0  # times the greatest K of the population: what a biased regression may read
 LATERAL = 1.5 * 9.80665  # m/s^2: no car on tyres corners harder

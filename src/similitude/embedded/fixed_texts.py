@@ -15,7 +15,7 @@ from similitude.embedded.drive import self_test_rows
 from similitude.embedded.fixed_profile import Profile
 from similitude.embedded.source import SAVING, cut
 from similitude.embedded.targets import CONTRACT_OFF
-from similitude.embedded.texts import EXAMPLE, self_test_texts
+from similitude.embedded.texts import EXAMPLE, self_test_texts, step_end
 from similitude.embedded.vectors import Vectors
 from similitude.program.fixed.formats import MISSING
 from similitude.program.fixed.integer import NARROW
@@ -145,7 +145,11 @@ def fixed_texts(profile: Profile, version: str) -> tuple[dict[str, str], Vectors
         for f, value in zip(profile.fixed.sample, rows[20].tolist(), strict=True)
     )
     example = EXAMPLE.replace(_NAN, "hand on {upper}_MISSING.").format(
-        **words, contract=CONTRACT_OFF, reading=reading, sample_time=f"{profile.numbers.sample_time:g}"
+        **words,
+        contract=CONTRACT_OFF,
+        reading=reading,
+        step_end=step_end(library),
+        sample_time=f"{profile.numbers.sample_time:g}",
     )
     texts = {
         f"{name}.h": _HEADER.format(**words),

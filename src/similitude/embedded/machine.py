@@ -33,6 +33,7 @@ class Streamed:
     state: NDArray
     counts: NDArray[np.int64]  # instructions or cycles of each step, (n,)
     stack: int  # bytes, the most of any step
+    report: int  # instructions or cycles, the most of any report; 0 where the step hands out everything
 
     def differing(self, wanted: Vectors) -> int:
         """Words that are not those expected."""
@@ -160,8 +161,7 @@ def _simulator(scratch: Path) -> Path:
 def _records(raw: bytes, n: int, outputs: int, states: int, word: type, target: Target) -> Streamed:
     width = np.dtype(word).itemsize
     reals = np.dtype(word).newbyteorder("<")
-    gap = 4 * (width == 8)  # three words of 32 bits stand before reals of 64
-    record = np.dtype([("head", "<u4", 3), ("gap", f"V{gap}"), ("output", reals, outputs)])
+    record = np.dtype([("head", "<u4", 4), ("output", reals, outputs)])
     wanted = (n + 1) * record.itemsize + states * width
     if len(raw) != wanted:
         raise CompileError(
@@ -172,12 +172,17 @@ def _records(raw: bytes, n: int, outputs: int, states: int, word: type, target: 
         )
     rows = np.frombuffer(raw[: (n + 1) * record.itemsize], record)
     state = np.frombuffer(raw[(n + 1) * record.itemsize :], reals).astype(word)
-    ticks = rows["head"][:, 1].astype(np.int64) - int(rows["head"][0, 1])
+    ticks = rows["head"][1:, [1, 3]].astype(np.int64) - int(rows["head"][0, 1])
     each = target.clock * 2**SHIFT * 1e-9 if target.clock else 1.0
-    counts = np.rint(ticks[1:] / each).astype(np.int64)
+    counts, reports = np.rint(ticks / each).astype(np.int64).T
     stack = int(rows["head"][1:, 2].max()) - int(rows["head"][0, 2])
     return Streamed(
-        rows["head"][1:, 0].astype(np.int32), rows["output"][1:].astype(word), state, counts, stack
+        rows["head"][1:, 0].astype(np.int32),
+        rows["output"][1:].astype(word),
+        state,
+        counts,
+        stack,
+        max(0, int(reports.max())),
     )
 
 

@@ -17,7 +17,7 @@ reals `{real}`, target `{target}` ({words}).
 
 | File | What it is |
 |---|---|
-| `{name}.h` | the contract, the structs, five functions; read this first |
+| `{name}.h` | the contract, the structs, {functions} functions; read this first |
 | `{name}.c` | the estimator; the step is the same text that runs on a PC |
 | `{name}_config.h` | its numbers, with units; yours to change |
 | `{name}_self_test.c`, `.h`, `{name}_vectors.h` | {samples} samples with faults, and {compared} words |
@@ -29,8 +29,8 @@ reals `{real}`, target `{target}` ({words}).
 ```c
 static {name}_state state;
 {name}_init(&{name}_numbers, &state);                                  /* once */
-status = {name}_step(&{name}_numbers, &state, &sample, &output);        /* each {sample_time} s */
-```
+status = {name}_step(&{name}_numbers, &state, &sample{step_end}        /* each {sample_time} s */
+{report}```
 
 | Goes in | Unit | Meaning |
 |---|---|---|
@@ -79,6 +79,9 @@ On your own board call `{name}_self_test(0)` once: it returns the number of word
 {where}
 """
 
+_REPORT = """\
+{name}_report(&{name}_numbers, &state, &output);                        /* when you want to know */
+"""
 _MISSING = {
     "reals": "A value that is not there goes in as NaN.",
     "integers": """\
@@ -111,7 +114,7 @@ _COST = """\
 |---|---:|
 | {unit} a sample, mean over the self-test | {mean} |
 | {unit} a sample, most | {most} |
-| code of the step | {step} B |
+{asked}| code of the step{and_report} | {step} B |
 | code of init | {init} B |
 | configuration (read only) | {numbers} B |
 | **flash: step, init, configuration** | **{flash} B** |
@@ -123,6 +126,7 @@ _COST = """\
 
 Measured by {compiler} and {emulator} when this folder was written. {what}"""
 
+_ASKED = "| {unit} of a report, most, where one is asked for | {report} |\n"
 _INSTRUCTIONS = """One instruction is one that the
 emulated core retired, counted from before the call of the step to after its return, an empty call subtracted;
 wait states and stalls of a real part are not in it."""
@@ -189,6 +193,9 @@ def page_text(told: dict, library: Library, target: Target) -> str:
         emulated_row="| `emulated/` | the harness that measured the cost on an emulated board |\n"
         if emulated
         else "",
+        step_end=");        " if layout.REPORTS else ", &output);",
+        report=_REPORT.format(name=name) if layout.REPORTS else "",
+        functions="six" if layout.REPORTS else "five",
         sample_time=f"{told['assumed']['sample_time']['value']:g}",
         sample_rows=_rows(layout.SAMPLE),
         output_rows=_rows(layout.OUTPUT),
@@ -232,7 +239,9 @@ def _cost(told: dict, target: Target) -> str:
     if cost is not None:
         emulator = "simavr" if target.name == "avr" else f"QEMU ({' '.join(target.machine[1:])})"
         what = _CYCLES if target.name == "avr" else _INSTRUCTIONS
-        return _COST.format(**cost, emulator=emulator, what=what)
+        asked = _ASKED.format(**cost) if cost["report"] else ""
+        and_report = " and the report" if asked else ""
+        return _COST.format(**cost, emulator=emulator, what=what, asked=asked, and_report=and_report)
     state = f"The state takes {size * told['state_reals']} B of RAM."
     if target.name == "host":
         return f"{state} Time, flash and stack are measured on microcontrollers: another `--target`."

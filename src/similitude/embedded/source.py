@@ -55,8 +55,8 @@ void {name}_init(const {name}_config *config, {name}_state *state);
 
 /* One sample: returns a status. */
 int {name}_step(const {name}_config *config, {name}_state *state,
-                const {name}_sample *sample, {name}_output *output);
-
+                const {name}_sample *sample{takes});
+{report}
 /* The state as {upper}_SAVED_BYTES bytes, in this processor's order. */
 void {name}_save(const {name}_config *config, const {name}_state *state, unsigned char *bytes);
 
@@ -103,11 +103,17 @@ _SOURCE = """\
 {magnitude}{part}
 {bodies}
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
-                               const {name}_sample *sample, {name}_output *output)
+                               const {name}_sample *sample{takes})
 {{
-    return {name}_advance(config, state, sample, output);
+    return {name}_advance(config, state, sample{hands});
 }}
 
+"""
+
+_REPORT = """
+/* The output, from the state as it is: called when it is wanted, at any time between two steps. */
+#define {name}_REPORTS 1
+void {name}_report(const {name}_config *config, const {name}_state *state, {name}_output *output);
 """
 
 SAVING = """\
@@ -267,6 +273,7 @@ def print_sources(
     ProgramError    the text is not the generator's.
     """
     parts = cut(text, name)
+    reports = f"{name}_report(" in parts.bodies
     title = re.match(r"/\* (.*?)\. Generated", parts.head)
     counts = re.search(r"step (\d+) at most, (\d+) at least", parts.head)
     told = re.search(r"do not edit\.\n \*\n(.*?)\n \*\n \* Operations", parts.head, re.S)
@@ -285,6 +292,9 @@ def print_sources(
         "state_bytes": states * BYTES[real],
         "saved": 12 + states * BYTES[real],
         "names": ", ".join(status),
+        "takes": "" if reports else f", {name}_output *output",
+        "hands": "" if reports else ", output",
+        "report": _REPORT.format(name=name) if reports else "",
         "declarations": parts.declarations,
         "bodies": parts.bodies,
         "magnitude": _magnitude(parts.bodies, real),

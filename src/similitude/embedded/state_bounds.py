@@ -22,6 +22,8 @@ from similitude.program.library import Library
 MARGIN = 2.0  # on l1 norms: rounding in the filter, and single precision's own of the bound
 DECAYED, QUIET = 1e-12, 8  # of an impulse response: below this share of its sum, that many samples in a row
 GROWN = 2.0**25  # increments after which a sum in single precision has stopped growing
+LOST = 2.0**24  # in single precision, one taken from minus this much is lost
+ONE = 1.0 - 2.0**-20  # forgetting and adding one leaves at least one, but for rounding
 ROOM = 1.1  # on what is a mean or a sum of bounded terms: its rounding
 
 
@@ -78,10 +80,9 @@ def _bends(sections: NDArray, memory: NDArray, bend: float) -> tuple[NDArray, fl
 
 def paper_bounds(library: Library, config: NDArray) -> Bounds:
     """Bounds of the paper's regression."""
-    constants = dict(zip(library.names("state"), library.layout.init(config.tolist()), strict=True))
     n = dict(zip(library.names("config"), config.tolist(), strict=True))
     speed = _speed(library)
-    slowest, fastest, K = n[f"{speed}_least"], n["signal_limit"], n[_named(library, "_limit", "theta")]
+    slowest, fastest, theta = n[f"{speed}_least"], n["signal_limit"], n["theta_limit"]
     memories, bend = impulse_norms(sections_of(library, config))
     ranges: dict[str, tuple[float, float]] = {}
     for signal, held in (("input", "last_input"), ("output", "last_measured")):
@@ -90,24 +91,21 @@ def paper_bounds(library: Library, config: NDArray) -> Bounds:
         for k in (1, 2):
             at, moved = (MARGIN * limit * memories[2 * k - 2 + i] for i in (0, 1))
             ranges |= {f"{signal}_{k}": (-at, at), f"{signal}_{k}_change": (-moved, moved)}
-    phi = constants["from_input"] * ranges["input_2_change"][1]
-    phi += constants["from_output"] / slowest * ranges["output_2_change"][1]
-    residual = MARGIN * bend * n["output_limit"] + phi * K
+    phi = n["input_ratio"] * ranges["input_2_change"][1] + ranges["output_2_change"][1] / slowest
+    residual = MARGIN * bend * n["output_limit"] + phi * theta
     kept = 1.0 / (1.0 - n["forgetting"])
-    prior = n["normal_start"] / (n["L"] * np.array([fastest, slowest])) ** 2
-    gained = (phi * K) ** 2 / n["noise_variance"]
+    start, spread = n["normal_start"], n["noise_variance"]
     ranges |= {
-        "theta": (-K, K),
-        "normal": (0.5 * min(n["normal_least"], prior[0]), 2 * max(kept * phi**2, prior[1])),
-        "mean_square": (0.0, ROOM * residual**2),
-        "weight": (0.0, ROOM * kept),
-        "information": (0.0, GROWN * 2.0 ** math.ceil(math.log2(gained) + 1)),
-        "log_variance": (0.0, n["variance_limit"]),
+        "theta": (-theta, theta),
+        "normal": (0.5 * min(kept * n["normal_least"], start), 2 * max(kept * phi**2, start)),
+        "square_sum": (0.0, 2 * max(kept * residual**2, spread)),
+        "weight": (ONE, ROOM * kept),
         f"last_{speed}": (slowest, fastest),
-        "wait": (-0.5, n["settle_samples"] + 1),
+        "wait": (-LOST, n["settle_samples"]),
+        "residual": (-residual, residual),
     }
     rests = {
-        "mean_square",
+        "residual",
         *(s for s in ranges if s[-2:] in ("_1", "_2") or s.endswith(("_1_change", "_2_change"))),
     }
     return Bounds(ranges, frozenset(set(ranges) - rests))
@@ -172,12 +170,6 @@ def band_bounds(library: Library, config: NDArray) -> Bounds:
 
 def _speed(library: Library) -> str:
     return library.names("sample")[2]
-
-
-def _named(library: Library, end: str, state: str) -> str:
-    """The configuration field with that ending whose unit is that of a state."""
-    unit = next(row[1] for row in library.layout.STATE if row[0] == state)
-    return next(row[0] for row in library.layout.CONFIG if row[0].endswith(end) and row[1] == unit)
 
 
 BOUNDS = {"paper": paper_bounds, "band": band_bounds}  # estimator -> bounds of its state

@@ -112,7 +112,7 @@ unsigned long {name}_self_test(unsigned long *first_sample)
             word.bits = {upper}_READ(&{name}_samples[({fields}UL * k) + i]);
             into[i] = word.value;
         }}
-        status = {name}_step(&{name}_numbers, &state, &sample, &output);
+        status = {name}_step(&{name}_numbers, &state, &sample{step_end}
         if (status != (int){upper}_READ_BYTE(&{name}_status_wanted[k])) {{
             ++wrong;
         }}
@@ -209,7 +209,7 @@ int main(void)
         {name}_output output;
         int status;
         read_sensors(&sample);
-        status = {name}_step(&{name}_numbers, &state, &sample, &output);
+        status = {name}_step(&{name}_numbers, &state, &sample{step_end}
         if (status == (int){upper}_BAD_SAMPLE) {{
             return 2; /* time did not advance */
         }}
@@ -258,6 +258,7 @@ def self_test_texts(library: Library, vectors: Vectors, real: str) -> dict[str, 
         "first_field": layout.SAMPLE[0][0],
         "first_output": layout.OUTPUT[0][0],
         "first_state": _first(layout.STATE),
+        "step_end": step_end(library),
     }
     listed = {
         **words,
@@ -278,6 +279,14 @@ def self_test_texts(library: Library, vectors: Vectors, real: str) -> dict[str, 
         f"{name}_self_test.c": _SELF_TEST.format(**words),
         f"{name}_vectors.h": _VECTORS.format(**listed),
     }
+
+
+def step_end(library: Library) -> str:
+    """How a call of a step ends: with the output, or with a call of the report that hands it out."""
+    name = library.name
+    if not library.layout.REPORTS:
+        return ", &output);"
+    return f");\n        {name}_report(&{name}_numbers, &state, &output);"
 
 
 def _first(rows: tuple) -> str:
@@ -306,5 +315,6 @@ def example_text(
         contract=contract,
         state_bytes=state_bytes,
         reading=reading,
+        step_end=step_end(library),
         sample_time=f"{numbers.sample_time:g}",
     )

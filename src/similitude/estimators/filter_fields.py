@@ -336,6 +336,13 @@ def sample_fields(layout: Layout) -> tuple[Field, ...]:
 
 def output_fields(layout: Layout) -> tuple[Field, ...]:
     """What each step hands out; always finite."""
+    u = layout.reduction.unknowns[0]
+    gained = Field("information_gained", "-", f"information gained about ln {u.name} so far")
+    return (*estimate_fields(layout), gained)
+
+
+def estimate_fields(layout: Layout) -> tuple[Field, ...]:
+    """What every estimator hands out."""
     u, o = layout.reduction.unknowns[0], layout.output
     return (
         Field("estimate", u.unit, u.meaning),
@@ -347,7 +354,6 @@ def output_fields(layout: Layout) -> tuple[Field, ...]:
         Field("predicted", o.unit, f"{o.meaning} predicted before the measurement"),
         Field("innovation", o.unit, "measured minus predicted; 0 without a measurement"),
         Field("innovation_variance", f"({o.unit})^2", "variance of the innovation"),
-        Field("information_gained", "-", f"information gained about ln {u.name} so far"),
     )
 
 

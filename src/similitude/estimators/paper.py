@@ -11,7 +11,7 @@ missing values   the filters are fed the last usable value; nothing is learnt un
                  ``settle_samples`` usable samples have followed, the first of a log included.
 a spike          counts like a missing value when the sample before was usable and the change is
                  beyond output_jump; a step that stays is believed from its second sample on.
-uneven steps     a step outside dt_low..dt_high counts like a missing value.
+uneven steps     a step that is off the sample time by dt_room counts like a missing value.
 K <= 0           the regression itself is left alone; the least K is reported, with status at_limit.
 overflow         normal_least is added to the sum of squares (in a constant turn it would halve every 14,000
                  updates without end), |K| within its limit.
@@ -26,7 +26,7 @@ import sympy as sp
 from similitude.estimators import filter_fields as ff
 from similitude.estimators import paper_fields as pf
 from similitude.estimators.paper_model import regression
-from similitude.estimators.paper_step import before_first, one_sample
+from similitude.estimators.paper_step import asked_for, before_first, one_sample
 from similitude.program.ir import Field, Program
 from similitude.reduction import Reduction
 from similitude.status import STATUS
@@ -77,12 +77,10 @@ def paper_regression(
             Field("output_step", layout.output.unit, "change of the measurement used now"),
             Field("y_now", layout.output.unit, "measurement used now"),
             Field("waiting", "-", "usable samples until the filters have settled"),
-            Field("expected", layout.output.unit, "what the constant explains of the second difference"),
-            Field("learnt", "-", "1 where the sample taught something"),
             Field("scale_now", layout.signals[0].unit, "scale used now"),
-            Field("inverse", f"1/({layout.signals[0].unit})", "reciprocal of the last scale"),
         ),
         init=tuple(before_first(r)),
         step=tuple(one_sample(r)),
         status=STATUS,
+        report=tuple(asked_for(r)),
     )

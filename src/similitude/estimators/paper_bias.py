@@ -18,12 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from similitude.estimators.paper_design import (
-    dimensionless_step,
-    high_pass_biquad,
-    section_gain,
-    slopes,
-)
+from similitude.estimators.paper_design import high_pass_biquad, section_gain
 from similitude.program.library import Library
 
 WHITE = (1.0, 0.0, 0.0)  # autocorrelation of unfiltered noise
@@ -111,17 +106,19 @@ def predicted_bias(
     config: NDArray[np.float64],
     state: NDArray[np.float64],
     *,
+    L: float,
     noise_std: float,
     pi3: float,
 ) -> NoiseBias:
     """The bias at the end of a run, from the regressor the estimator itself has seen.
 
-    It keeps the weighted sum of phi^2 and of the weights, in physical units per K and without the filter's
-    gain; mean phi^2 of the dimensionless, filtered signals follows from their ratio.
+    It keeps the weighted sum of phi^2 and of the weights, in physical units per theta and without the
+    filter's gain; mean phi^2 of the dimensionless, filtered signals follows from their ratio.
 
     Parameters
     ----------
     library, config, state : the estimator and its state after at least one update.
+    L : wheelbase [m].
     noise_std : white noise of the yaw rate a sample [rad/s].
     pi3 : the value to predict for, at the last usable speed [-].
     """
@@ -131,14 +128,13 @@ def predicted_bias(
 
     poles = [config[library.index("config", f"poles_{k}") :][:2] for k in (1, 2)]
     sections = np.array([high_pass_biquad(*pair) for pair in poles])
-    L, U = value("config", "L"), value("state", "last_U")
-    T = dimensionless_step(value("config", "sample_time"), U, L)
-    groups = {name: value("config", name) for name in ("pi1", "pi4_slope", "pi5")}
-    updates = value("state", "weight")
-    per_pi3 = section_gain(sections) * U * L  # dimensionless filtered output of a unit of pi3 per phi
+    U = value("state", "last_U")
+    updates = value("state", "weight") - 1.0  # one is the sensor's own noise, for the start
+    m2 = U / value("config", "K_per_theta")  # theta is (a1 + 2) U, and K is pi3 U^2
+    per_pi3 = section_gain(sections) * L * m2  # dimensionless filtered output of a unit of pi3 per phi
     return noise_bias(
         pi3=pi3,
-        m2=slopes(T, **groups)[1],
+        m2=m2,
         noise_std=noise_std,
         mean_square=per_pi3**2 * value("state", "normal") / updates if updates > 0 else 0.0,
         rho=autocorrelation(sections),

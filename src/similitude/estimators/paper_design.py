@@ -22,14 +22,14 @@ GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
 PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
 
+K_LOW = 1e-2  # m^2/s^2, reported for a regression that says zero or less
+K_LIMIT = 1e5  # m^2/s^2
+PI3_START = 0.2  # the paper is silent on this
 P_START, P_MOST = 1e9, 1e12  # of the textbook recursion, in dimensionless filtered outputs
 
 DESIGN = {
     "forgetting": 0.99995,  # paper, section 6
     "dead_zone": 0.1,  # rad/s, same place
-    "pi3_start": 0.2,  # the paper is silent on this
-    "K_low": 1e-2,  # m^2/s^2, reported for a regression that says zero or less
-    "K_limit": 1e5,  # m^2/s^2
     "variance_limit": 1.0,  # of ln K: a factor e either way is nothing known
     "U_least": 0.5,  # m/s
     "input_limit": 1.3,  # rad
@@ -84,12 +84,15 @@ def paper_config(
     *,
     sample_time: float,
     L: float,
+    speed: float,
     noise_std: float,
     pi1: float,
     pi4_slope: float,
     pi5: float,
     biquads: ArrayLike | None = None,
+    K_start: float | None = None,
     P_start: float = P_START,
+    K_limit: float = K_LIMIT,
     **changes: float,
 ) -> NDArray[np.float64]:
     """The flat configuration of ``bicycle_paper``.
@@ -99,10 +102,15 @@ def paper_config(
     library : the compiled estimator.
     sample_time : [s]; steps from half to one and a half of it count as one sample.
     L : wheelbase [m].
+    speed : [m/s] at which ``P_start`` is meant, and the start where ``K_start`` is left out; nothing else
+        depends on it.
     noise_std : white noise of the yaw rate a sample [rad/s], > 0; bounds the reported variance.
     pi1, pi4_slope, pi5 : frozen groups [-]; the paper's averages are ``PAPER_GROUPS``.
     biquads : (2, 5) sections of another high-pass with its zeros at rest; the paper's where left out.
-    P_start : covariance of pi3 per residual variance before the first update, in the paper's recursion.
+    K_start : K before the first update [m^2/s^2]; that of pi3 = 0.2 where left out.
+    P_start : least covariance of pi3 per residual variance before the first update, in the paper's recursion;
+        at the start nothing is claimed to be known, however good the sensor.
+    K_limit : greatest magnitude of K [m^2/s^2].
     changes : design constants to replace, by name.
 
     Raises
@@ -110,22 +118,34 @@ def paper_config(
     ProgramError    a value is missing, not finite or not a field.
     """
     first, second = sections = bessel_biquads(sample_time) if biquads is None else np.asarray(biquads)
-    values: dict = {**DESIGN, "L": L, "pi1": pi1, "pi4_slope": pi4_slope, "pi5": pi5}
+    per_theta = K_per_theta(sample_time, L, pi1=pi1, pi4_slope=pi4_slope, pi5=pi5)
+    m1, m2 = slopes(1.0, pi1=pi1, pi4_slope=pi4_slope, pi5=pi5)
     gain = section_gain(sections)
     fastest = L * changes.get("signal_limit", DESIGN["signal_limit"])
-    values |= {
-        "sample_time": sample_time,
+    theta_start = (PI3_START * speed**2 if K_start is None else K_start) / per_theta
+    unknown = noise_std**2 / (theta_start**2 * changes.get("variance_limit", DESIGN["variance_limit"]))
+    values: dict = DESIGN | {
+        "input_ratio": m1 / m2 / L,
+        "K_per_theta": per_theta,
         "poles_1": section_poles(first),
         "poles_2": section_poles(second),
-        "normal_start": 1.0 / (P_start * gain**2),
-        "normal_least": (1.0 - DESIGN["forgetting"]) / (P_MOST * (gain * fastest) ** 2),
-        "settle_samples": max(3, math.ceil(SETTLING / sample_time)),
+        "theta_start": theta_start,
+        "theta_low": K_LOW / per_theta,
+        "theta_limit": K_limit / per_theta,
+        "normal_start": min(1.0 / (P_start * (gain * L * speed / per_theta) ** 2), unknown),
+        "normal_least": (1.0 - DESIGN["forgetting"]) / (P_MOST * (gain * fastest / per_theta) ** 2),
+        "settle_samples": max(3, math.ceil(SETTLING / sample_time)) + 1,
         "output_jump": JUMP[0] + JUMP[1] * noise_std + JUMP[2] * sample_time,
         "noise_variance": noise_std**2,
-        "dt_low": 0.5 * sample_time,
-        "dt_high": 1.5 * sample_time,
+        "sample_time": sample_time,
+        "dt_room": 0.5 * sample_time,
     }
     return library.config(values | changes)
+
+
+def K_per_theta(sample_time: float, L: float, *, pi1: float, pi4_slope: float, pi5: float) -> float:
+    """K over theta = (a1 + 2) U [m/s], of the line a1 + 2 = m2 pi3 (eq 22)."""
+    return 1.0 / slopes(sample_time / L, pi1=pi1, pi4_slope=pi4_slope, pi5=pi5)[1]
 
 
 def dimensionless_step(sample_time: float, U: float, L: float) -> float:

@@ -1,7 +1,8 @@
 """The paper's regression before it computes: what a sample can be used for, and what is held.
 
-``waiting`` counts down to the sample on which the filters have settled, so that the usual sample asks
-one question of it; beyond ``settle_samples`` it says that the newest sample was not usable.
+``waiting`` counts down to the sample on which the filters have settled, and on from there without an end (a
+float stops by itself where one is lost in it), so that the usual sample asks one question of it; at
+``settle_samples`` it says that the newest sample was not usable.
 
 Invariant: after the gates the changes and the last scale are differences and values of believable numbers.
 """
@@ -15,11 +16,8 @@ from similitude.estimators.paper_model import Regression
 from similitude.program.ir import Assign, Statement, When
 from similitude.status import STATUS
 
-AGAIN = Assign("waiting", S("settle_samples") + 1)
-WAS_USABLE = S("waiting") <= S("settle_samples")
-IS_MISSING = sp.And(
-    S("status") > STATUS["no_measurement"] - HALF, S("status") < STATUS["no_measurement"] + HALF
-)
+WAS_USABLE = S("waiting") < S("settle_samples")
+SETTLED = S("waiting") <= 0
 NOT_YET = S("status") < STATUS["not_excited"] + HALF  # nothing was said of this sample
 
 
@@ -28,45 +26,47 @@ def time_gate(body: tuple[Statement, ...], otherwise: tuple[Statement, ...]) -> 
     dt = S("dt")
     uneven = When(
         sp.And(dt > 0, dt < 1e6),
-        (When(WAS_USABLE, (set_status("restarted"),)), AGAIN),
+        (set_status("restarted"), Assign("waiting", S("settle_samples"))),
         (set_status("bad_sample"),),
         "time must advance",
     )
-    even = sp.And(dt > S("dt_low"), dt < S("dt_high"))
+    even = sp.Abs(dt - S("sample_time")) < S("dt_room")
     return [
         Assign("waiting", S("wait")),
         set_status("not_excited"),
-        When(sp.Not(even), (uneven,), (), "the sample before is elsewhere"),
+        When(even, (), (uneven,), "else the sample before is elsewhere"),
         When(S("status") < STATUS["bad_sample"] - HALF, body, otherwise),
     ]
 
 
 def gates(r: Regression) -> list[Statement]:
-    """All that precedes the filters; a later status replaces an earlier one."""
+    """All that precedes the filters; a later status replaces an earlier one.
+
+    The output is looked at first: how the sample before was, counts for its jump alone.
+    """
     scale, change, jump = S(r.speed), S("measured") - S("last_measured"), S("output_jump")
     inputs = sp.And(_within(S("input"), "input_limit"), _within(scale, "signal_limit"))
     steady = sp.Or(sp.Abs(change) < jump, sp.Not(WAS_USABLE))
     output = sp.And(_within(S("measured"), "output_limit"), steady)
+    missing = (set_status("no_measurement"), Assign("waiting", S("settle_samples") + 1))
+    use_output = (Assign("output_step", change), Assign("y_now", S("measured")))
+    held_output = (Assign("output_step", sp.Integer(0)), Assign("y_now", S("last_measured")), *missing)
     use_inputs = (
         Assign("input_step", S("input") - S("last_input")),
         Assign("last_input", S("input")),
         Assign("scale_now", scale),
     )
-    use_output = (Assign("output_step", change), Assign("y_now", S("measured")))
     last_scale = Assign("scale_now", S(f"last_{r.speed}"))
-    missing = set_status("no_measurement")
-    held_inputs = (Assign("input_step", sp.Integer(0)), last_scale, missing)
-    held_output = (Assign("output_step", sp.Integer(0)), Assign("y_now", S("last_measured")), missing)
-    counted = When(S("waiting") > HALF, (Assign("waiting", S("waiting") - 1),), (), "usable samples in a row")
+    held_inputs = (Assign("input_step", sp.Integer(0)), last_scale, *missing)
     slow = (
         last_scale,
-        Assign("waiting", sp.Max(S("waiting"), 1)),
+        Assign("waiting", S("settle_samples")),
         When(NOT_YET, (set_status("too_slow"),)),
     )
     return [
-        When(inputs, use_inputs, held_inputs, "a missing input or scale is held"),
-        When(output, use_output, held_output, "so is an output"),
-        When(IS_MISSING, (AGAIN,), (counted,)),
+        When(output, use_output, held_output, "a missing output is held"),
+        When(inputs, use_inputs, held_inputs, "so is an input or a scale"),
+        Assign("waiting", S("waiting") - 1, "usable samples in a row"),
         When(sp.Not(S("scale_now") > S(f"{r.speed}_least")), slow, (), "too slow to see the dynamics"),
         Assign(f"last_{r.speed}", S("scale_now")),
         Assign("last_measured", S("y_now")),

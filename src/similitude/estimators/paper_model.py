@@ -5,6 +5,7 @@ Invariant: nothing here knows a bicycle; a model the regression does not hold fo
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
@@ -46,6 +47,27 @@ class Regression:
         used = {s.name for e in (self.numerator, self.denominator) for s in e.free_symbols}
         names = [n for g in self.reduction.groups.groups for n in (g.name, f"{g.name}_slope")]
         return tuple(n for n in names if n in used)
+
+    @property
+    def regressors(self) -> tuple[sp.Expr, sp.Expr]:
+        """What a unit of the unknown adds to y per change of input and of output, in the scales (eq 22)."""
+        groups, layout = self.reduction.groups, self.layout
+        into, out = groups.scale[layout.input.name], groups.scale[layout.output.name]
+        per_step = self.per_target * sp.Symbol("sample_time", real=True) / groups.time_scale
+        return sp.simplify(per_step * out / into) * self.numerator, sp.simplify(per_step) * self.denominator
+
+    @property
+    def constants(self) -> tuple[sp.Expr, sp.Expr]:
+        """What the measured scale leaves alone: of the input over that of the output; one over the latter."""
+        scale = sp.Symbol(self.speed, real=True)
+        by_input, by_output = (e.as_independent(scale)[0] for e in self.regressors)
+        return by_input / by_output, 1 / by_output
+
+    def changing(self, scale: Mapping[sp.Symbol, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
+        """Of the regressors what the measured scale changes, at the scale that is given."""
+        symbol = sp.Symbol(self.speed, real=True)
+        by_input, by_output = (e.as_independent(symbol)[1].xreplace(dict(scale)) for e in self.regressors)
+        return by_input, by_output
 
 
 def regression(

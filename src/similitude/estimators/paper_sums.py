@@ -28,6 +28,7 @@ from similitude.estimators.held_sample import (
     gates,
     set_status,
 )
+from similitude.estimators.paper_fields import output_fields
 from similitude.estimators.paper_model import Regression, regression
 from similitude.program.ir import Assign, Field, Program, Statement, When
 from similitude.reduction import Reduction
@@ -73,7 +74,7 @@ def paper_sums(reduction: Reduction, *, unknown: str = "pi3", slopes: tuple[str,
         config=_config(r),
         state=states,
         sample=ff.sample_fields(r.layout),
-        output=_output(r),
+        output=output_fields(r),
         variables=(*gate_variables(r), Field("started", "-", "1 after the first usable scale")),
         init=tuple(_start(r, states)),
         step=tuple(_step(r)),
@@ -124,14 +125,6 @@ def _state(r: Regression) -> tuple[Field, ...]:
         Field("output_before", o.unit, f"filtered {o.name}, one and two samples ago", 2),
         *(f for f in gate_state(r) if f.name != "started"),
     )
-
-
-def _output(r: Regression) -> tuple[Field, ...]:
-    same = tuple(f for f in ff.output_fields(r.layout) if f.name in OUTPUTS)
-    return (*same, Field(r.unknown, "-", "group at the last usable scale"))
-
-
-OUTPUTS = ("estimate", "variance", "predicted", "innovation", "innovation_variance")
 
 
 def _star(r: Regression) -> sp.Expr:

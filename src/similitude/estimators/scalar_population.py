@@ -40,7 +40,6 @@ from similitude.status import STATUS
 
 STATES = ("y", "w", "y_slope", "w_slope", "error_offset", "slope_offset")
 GAINS = ("input_gain", "damping", "stiffness", "pair_output", "pair_input")
-OUTPUTS = ("estimate", "variance", "predicted", "innovation", "innovation_variance")
 
 
 def scalar_population_filter(reduction: Reduction, *, unknown: str = "pi3") -> Program:
@@ -81,7 +80,7 @@ def scalar_population_filter(reduction: Reduction, *, unknown: str = "pi3") -> P
         config=_config(model),
         state=fields,
         sample=ff.sample_fields(layout),
-        output=tuple(f for f in ff.output_fields(layout) if f.name in OUTPUTS),
+        output=ff.estimate_fields(layout),
         variables=(
             *gate_variables(model),
             Field("excited", "-", "1 where the input says enough"),

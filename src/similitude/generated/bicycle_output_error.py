@@ -12,6 +12,7 @@ NAME = 'bicycle_output_error'
 OPERATIONS = 393
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ()
+REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
 
 CONFIG = (
     ('L', 'm', 'wheelbase', 1),

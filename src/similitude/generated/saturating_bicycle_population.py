@@ -12,6 +12,7 @@ NAME = 'saturating_bicycle_population'
 OPERATIONS = 1408
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'input_scale', 'input_offset', 'output_bias')
+REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
 
 CONFIG = (
     ('L', 'm', 'wheelbase', 1),

@@ -15,7 +15,7 @@ from similitude.paper import printed
 from similitude.paper.claim import Claim, claim
 from similitude.program.library import shipped
 
-RECURSION = ("expected", "residual", "normal", "moved")  # the unnumbered lines after eq 27
+RECURSION = ("residual", "normal", "moved")  # the unnumbered lines after eq 27
 REGRESSOR = ("y", "phi")  # eq 26
 HIGH_PASS = tuple(  # section 6: the Bessel filter of both signals, as two sections each
     f"{signal}_{name}"
@@ -90,9 +90,8 @@ def _ten() -> Claim:
         unit="operations",
         condition="the recursive least squares alone is meant",
         why=f"Counted in the generated code: recursion {n['recursion']}, regressor {n['regressor']}, the "
-        f"Bessel filters "
-        f"of both signals {n['high-pass']}; with gates, changes of speed and outputs the whole step has "
-        f"{n['paper']}.",
+        f"Bessel filters of both signals {n['high-pass']}; with gates, changes of speed and the report of its "
+        f"outputs the whole has {n['paper']}.",
     )
 
 

@@ -15,11 +15,12 @@ from similitude.paper import printed
 from similitude.paper.ahead import kept
 from similitude.paper.claim import Claim, claim
 from similitude.paper.claims_controller import SERVO
-from similitude.paper.drives import square
+from similitude.paper.drives import Drive, square
 from similitude.program.library import shipped
 from similitude.simulate import bicycle_response
 
 Array = NDArray[np.float64]
+ALL = {"forgetting": 1.0, "dead_zone": 0.0}  # every sample counts, for ever
 LEVELS = (0.001, 0.01, 0.1, 0.5)  # deg/s
 BEARABLE = 0.10  # relative bias
 AGREE = 0.03  # relative difference of closed form and simulation
@@ -49,22 +50,22 @@ def biases() -> dict[float, tuple[float, float]]:
     white = np.random.default_rng(3).standard_normal(r.size)
     for level in LEVELS:
         std = float(np.deg2rad(level))
-        config = paper_config(
-            library, sample_time=drive.step, L=drive.L, noise_std=std, **known, forgetting=1.0, dead_zone=0.0
-        )
+        config = paper_config(library, noise_std=std, **_place(drive), **known, **ALL)
         state = library.start(config)
         outputs, _ = library.run(config, state, drive.samples(r + std * white))
         reads = outputs[-1, library.index("output", "pi3")]
         quiet = _without_noise(library, drive, r, known)
-        told = predicted_bias(library, config, state, noise_std=std, pi3=quiet)
+        told = predicted_bias(library, config, state, L=drive.L, noise_std=std, pi3=quiet)
         found[level] = (float(reads / groups["pi3"] - 1), float(told.reads / groups["pi3"] - 1))
     return found
 
 
-def _without_noise(library, drive, r: Array, known: dict[str, float]) -> float:
-    config = paper_config(
-        library, sample_time=drive.step, L=drive.L, noise_std=1e-4, **known, forgetting=1.0, dead_zone=0.0
-    )
+def _place(drive: Drive) -> dict[str, float]:
+    return {"sample_time": drive.step, "L": drive.L, "speed": float(np.median(drive.U))}
+
+
+def _without_noise(library, drive: Drive, r: Array, known: dict[str, float]) -> float:
+    config = paper_config(library, noise_std=1e-4, **_place(drive), **known, **ALL)
     outputs, _ = library.run(config, library.start(config), drive.samples(r))
     return float(outputs[-1, library.index("output", "pi3")])
 
@@ -137,9 +138,7 @@ def regression_on(cars: dict[str, Array], *, servo: float, own: bool) -> Array:
     library, reads = shipped("bicycle_paper"), []
     for i, (L, U, K, pi1, k, pi5) in enumerate(zip(*(cars[n] for n in CAR), strict=True)):
         groups = {"pi1": pi1, "pi4_slope": k, "pi5": pi5} if own else PAPER_GROUPS
-        config = paper_config(
-            library, sample_time=Ts, L=L, noise_std=1e-4, **groups, forgetting=1.0, dead_zone=0.0
-        )
+        config = paper_config(library, sample_time=Ts, L=L, speed=U, noise_std=1e-4, **groups, **ALL)
         rows = np.column_stack([np.full(t.size, Ts), steer, np.full(t.size, U), r[i]])
         outputs, _ = library.run(config, library.start(config), rows)
         reads.append(outputs[-1, library.index("output", "estimate")] / K)

@@ -169,6 +169,7 @@ def regression_reads(
     r : (n,) yaw rate [rad/s]. groups : frozen, the averages unless given. changes : of its constants.
     """
     library = shipped("bicycle_paper")
-    config = paper_config(library, sample_time=drive.step, L=drive.L, noise_std=QUIET, **groups, **changes)
+    place = {"sample_time": drive.step, "L": drive.L, "speed": float(np.median(drive.U))}
+    config = paper_config(library, noise_std=QUIET, **place, **groups, **changes)
     outputs, _ = library.run(config, library.start(config), drive.samples(r))
     return outputs[:, library.index("output", "pi3")]

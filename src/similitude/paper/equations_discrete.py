@@ -87,11 +87,12 @@ def _regression() -> float:
         library,
         sample_time=printed.SAMPLE_TIME,
         L=L,
+        speed=U,
         noise_std=1e-6,
         **PAPER_GROUPS,
         biquads=NO_FILTER,
         dead_zone=0.0,
-        settle_samples=3,
+        settle_samples=4,
         output_jump=100.0,
         P_start=1e12,
     )

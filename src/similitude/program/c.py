@@ -19,7 +19,7 @@ _HEAD = """\
  *
 {provenance}
  *
- * Operations: step {most} at most, {least} at least (arithmetic, comparisons, selects), init {init}.
+ * Operations: step {most} at most, {least} at least (arithmetic, comparisons, selects), {report}init {init}.
  * Memory: state {state} reals, configuration {config} reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
@@ -71,9 +71,9 @@ _MAGNITUDE = """\
 LOOPS = """\
 /* One sample: returns a status, never a NaN; the state stays usable whatever comes in. */
 SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
-                               const {name}_sample *sample, {name}_output *output)
+                               const {name}_sample *sample{takes})
 {{
-    return {name}_advance(config, state, sample, output);
+    return {name}_advance(config, state, sample{hands});
 }}
 
 /* The step over n samples; the same bits as calling it n times. */
@@ -83,11 +83,17 @@ SIMILITUDE_API long {name}_batch(const {name}_config *config, {name}_state *stat
     {name}_state now = *state;
     long i;
     for (i = 0; i < n; ++i)
-        status[i] = {name}_advance(config, &now, &samples[i], &outputs[i]);
+        {advance}
     *state = now;
     return n;
 }}
 """
+ADVANCE = "status[i] = {name}_advance(config, &now, &samples[i], &outputs[i]);"
+REPORTED = """\
+{{
+            status[i] = {name}_advance(config, &now, &samples[i]);
+            {name}_report(config, &now, &outputs[i]);
+        }}"""
 
 
 @dataclass(frozen=True)
@@ -146,6 +152,7 @@ def print_c(program: Program) -> str:
             provenance="\n".join(f" *   {line}" for line in program.provenance),
             most=operations(program.step, most=True),
             least=operations(program.step, most=False),
+            report=f"report {operations(program.report, most=True)}, " if program.report else "",
             init=operations(program.init, most=True),
             state=sum(f.size for f in program.state),
             config=sum(f.size for f in program.config),
@@ -157,8 +164,18 @@ def print_c(program: Program) -> str:
     bodies = [_init(program), _advance(program)]
     if any("WITHIN(" in body for body in bodies):
         parts.insert(1, _MAGNITUDE)
-    parts += [*bodies, LOOPS.format(name=name)]
-    return "\n".join(parts)
+    bodies += [_report(program)] if program.report else []
+    return "\n".join([*parts, *bodies, loops(name, reports=bool(program.report))])
+
+
+def loops(name: str, *, reports: bool) -> str:
+    """The exported step and the batch loop around ``NAME_advance``, which hands out or ``reports``."""
+    return LOOPS.format(
+        name=name,
+        takes="" if reports else f", {name}_output *output",
+        hands="" if reports else ", output",
+        advance=(REPORTED if reports else ADVANCE).format(name=name),
+    )
 
 
 def operations(body: Iterable[Statement], *, most: bool) -> int:
@@ -336,11 +353,12 @@ def _advance(program: Program) -> str:
     states = {s.name for f in program.state for s in f.symbols}
     working = {f.name for f in program.variables}
     scope = _scope(program, states | outputs | working)
+    takes = "" if program.report else f", {name}_output *output"
     lines = [
         *(_function(part, program, scope) for part in scope.parts.values()),
         "/* What the step and the batch loop do with one sample. */",
         f"SIMILITUDE_INLINE int {name}_advance(const {name}_config *config, {name}_state *state,",
-        f"                                     const {name}_sample *sample, {name}_output *output)",
+        f"                                     const {name}_sample *sample{takes})",
         "{",
         *_arrays(program.state, name),
         *[_declared(n, scope) for n in sorted((outputs | working) & written)],
@@ -352,3 +370,27 @@ def _advance(program: Program) -> str:
         "}\n",
     ]
     return "\n".join(lines)
+
+
+def _report(program: Program) -> str:
+    """What of the output follows from the state, for whoever asks."""
+    name = program.name
+    written = names_written(program.report)
+    outputs = {s.name for f in program.output for s in f.symbols}
+    scope = _scope(program, outputs)
+    state = {key: f"state->{text}" for key, text in _element(program.state).items()}
+    scope = replace(scope, language=replace(scope.language, names={**scope.language.names, **state}))
+    return "\n".join(
+        [
+            "/* Every output, from the state as it is: at any time between two steps. */",
+            f"SIMILITUDE_API void {name}_report(const {name}_config *config, const {name}_state *state,",
+            f"                                  {name}_output *output)",
+            "{",
+            *[_declared(n, scope) for n in sorted(outputs & written)],
+            "",
+            *_body(program.report, scope, 1),
+            "",
+            *_stores(program.output, written, "output"),
+            "}\n",
+        ]
+    )

@@ -71,7 +71,9 @@ class Program:
 
     ``config`` is read only; ``state`` is read and written; ``sample`` comes in, ``output`` goes out.
     ``variables`` are working values that outlive the guard they are assigned in.
-    The step returns the variable ``status``.
+    The step returns the variable ``status``. With a ``report`` it hands out nothing else: the report works
+    out every output from configuration and state, so that what is asked for now and then is not paid for at
+    every sample.
     """
 
     name: str
@@ -86,6 +88,7 @@ class Program:
     step: tuple[Statement, ...]
     status: dict[str, int] = field(default_factory=dict)
     coordinates: tuple[str, ...] = ()  # what the rows of a covariance in the state are
+    report: tuple[Statement, ...] = ()
 
     def __post_init__(self) -> None:
         fields = (*self.config, *self.state, *self.sample, *self.output, *self.variables)
@@ -100,13 +103,18 @@ class Program:
                 read="docs/architecture.md, 'Step programs'",
             )
         read_only = {symbol.name for f in (*self.config, *self.sample) for symbol in f.symbols}
+        sampled = {symbol.name for f in self.sample for symbol in f.symbols}
         states = {symbol.name for f in self.state for symbol in f.symbols}
         outputs = {symbol.name for f in self.output for symbol in f.symbols}
         _names_or_raise(self, names)
         writable = set(names) - read_only
         after_init = _check(self, self.init, known=read_only, writable=writable)
         after_step = _check(self, self.step, known=read_only | states, writable=writable)
-        missing = (states - after_init) | ((outputs | {"status"}) - after_step)
+        told = after_step
+        if self.report:
+            _no_output_or_raise(self, outputs)
+            told = _check(self, self.report, known=read_only - sampled | states, writable=outputs)
+        missing = (states - after_init) | (outputs - told) | ({"status"} - after_step)
         if missing:
             raise ProgramError(
                 f"program {self.name!r} leaves {', '.join(sorted(missing))} without a value",
@@ -136,6 +144,17 @@ def _check(program: Program, body: Iterable[Statement], *, known: set[str], writ
                 )
             known.add(statement.target)
     return known
+
+
+def _no_output_or_raise(program: Program, outputs: set[str]) -> None:
+    mixed = sorted({s.target for s in walk(program.step) if isinstance(s, Assign)} & outputs)
+    if mixed:
+        raise ProgramError(
+            f"program {program.name!r} has a report, and its step assigns the output {', '.join(mixed)}",
+            usually="What is asked for later is kept in the state; a struct that is half old is a trap.",
+            paste=f"Field('{mixed[0]}_kept', ...)   # a state that the report hands out",
+            read="docs/architecture.md, 'Step programs'",
+        )
 
 
 def _names_or_raise(program: Program, names: Iterable[str]) -> None:

@@ -24,6 +24,7 @@ NAME = {name!r}
 OPERATIONS = {operations}
 STATUS = {status!r}
 COORDINATES = {coordinates!r}
+REPORTS = {reports!r}  # outputs are worked out when they are asked for, by a function of their own
 '''
 
 
@@ -35,9 +36,10 @@ def print_python(program: Program) -> str:
             title=program.title,
             provenance="\n".join(program.provenance),
             name=program.name,
-            operations=operations(program.step, most=True),
+            operations=operations((*program.step, *program.report), most=True),
             status=program.status,
             coordinates=program.coordinates,
+            reports=bool(program.report),
         )
     ]
     for kind in ("config", "state", "sample", "output"):
@@ -82,7 +84,8 @@ def _init(program: Program) -> str:
 
 
 def _step(program: Program) -> str:
-    read, written = names_read(program.step), names_written(program.step)
+    body = (*program.step, *program.report)
+    read, written = names_read(body), names_written(body)
     states = [s.name for f in program.state for s in f.symbols]
     outputs = [s.name for f in program.output for s in f.symbols]
     working = sorted(({f.name for f in program.variables} | set(outputs)) & written)
@@ -94,7 +97,7 @@ def _step(program: Program) -> str:
             *_loads(program.sample, read, "sample"),
             *_loads(program.state, read | written | set(states), "state"),
             *[f"    {name} = 0.0" for name in working],
-            *_body(program.step, 1),
+            *_body(body, 1),
             f"    state[:] = [{', '.join(states)}]",
             f"    return int(status), [{', '.join(outputs)}]",
             "",

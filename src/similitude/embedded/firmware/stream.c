@@ -2,8 +2,8 @@
  *
  * Without a file rows.bin: the self-test, and what a step costs over its samples, is printed.
  * With it: its rows are streamed through the estimator into words.bin, a record a row: status, ticks of
- * the step, bytes of stack it used, outputs; then the last state. Before the first row a record of an
- * empty call: what measuring costs by itself. */
+ * the step, bytes of stack it used, ticks of the report (0 where the step hands out everything), outputs;
+ * then the last state. Before the first row a record of an empty call: what measuring costs by itself. */
 
 #include "board.h"
 
@@ -74,18 +74,28 @@ typedef struct record {
     unsigned long status;
     unsigned long ticks;
     unsigned long stack;
+    unsigned long report;
     OF(_output) output;
 } record;
 
-typedef int (*step_function)(const OF(_config) *, OF(_state) *, const OF(_sample) *, OF(_output) *);
+/* A step hands out its output, or leaves it to a report. */
+#if OF(_REPORTS)
+#define TAKES
+#define HANDS(output)
+#else
+#define TAKES , OF(_output) * y
+#define HANDS(output) , output
+#endif
+
+typedef int (*step_function)(const OF(_config) *, OF(_state) *, const OF(_sample) * TAKES);
 
 static OF(_state) state;
 static OF(_sample) sample;
 static record now;
 
-__attribute__((noinline)) static int empty(const OF(_config) * c, OF(_state) * s, const OF(_sample) * x, OF(_output) * y)
+__attribute__((noinline)) static int empty(const OF(_config) * c, OF(_state) * s, const OF(_sample) * x TAKES)
 {
-    __asm volatile("" : : "r"(c), "r"(s), "r"(x), "r"(y) : "memory");
+    __asm volatile("" : : "r"(c), "r"(s), "r"(x)HANDS("r"(y)) : "memory");
     return 0;
 }
 
@@ -113,9 +123,19 @@ __attribute__((noinline)) static void measure(step_function step)
     unsigned long before;
     unsigned long after;
     before = ticks();
-    now.status = (unsigned long)step(&OF(_numbers), &state, &sample, &now.output);
+    now.status = (unsigned long)step(&OF(_numbers), &state, &sample HANDS(&now.output));
     after = ticks();
     now.ticks = (after - before) & 0xFFFFFFul;
+}
+
+/* The output, where the step leaves it to a report. */
+static void complete(void)
+{
+#if OF(_REPORTS)
+    unsigned long before = ticks();
+    OF(_report)(&OF(_numbers), &state, &now.output);
+    now.report = (ticks() - before) & 0xFFFFFFul;
+#endif
 }
 
 static void say(const char *text)
@@ -142,6 +162,7 @@ static void report(void)
     unsigned long n = sizeof(OF(_samples)) / sizeof(OF(_sample));
     unsigned long long sum = 0ull;
     unsigned long most = 0ul;
+    unsigned long asked = 0ul;
     unsigned long stack = 0ul;
     unsigned long wrong = OF(_self_test)((unsigned long *)0);
     unsigned long k;
@@ -160,6 +181,8 @@ static void report(void)
         stack = (painted() > stack) ? painted() : stack;
         cost = instructions(now.ticks - by_itself);
         most = (cost > most) ? cost : most;
+        complete();
+        asked = (now.report > asked) ? now.report : asked;
         sum += cost;
     }
     say("words that differ: ");
@@ -168,6 +191,10 @@ static void report(void)
     say_number((unsigned long)((sum + (n / 2ul)) / n));
     say("\ninstructions a sample, most: ");
     say_number(most);
+    if (asked > by_itself) {
+        say("\ninstructions of a report, most: ");
+        say_number(instructions(asked - by_itself));
+    }
     say("\nstack of a step, bytes: ");
     say_number(stack - own_stack);
     say("\n");
@@ -191,6 +218,7 @@ void stream(void)
         paint();
         measure(step);
         now.stack = painted();
+        complete();
         if (transfer(SYS_WRITE, words, &now, sizeof now) != 0ul) {
             leave(3);
         }

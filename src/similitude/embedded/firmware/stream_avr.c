@@ -1,6 +1,6 @@
 /* Steps an estimator on an ATmega328P for the emulator in simulate_avr.c, which fills and reads `box`.
  *
- * GPIOR0: 1 waiting, 2 a sample is there (set by the emulator); GPIOR1: 1 while the step runs.
+ * GPIOR0: 1 waiting, 2 a sample is there (set by the emulator); GPIOR1: 1 while the step runs, 2 while the report does.
  * Before the first sample the address of the box is told in GPIOR1 and GPIOR2. */
 
 #include <avr/io.h>
@@ -20,11 +20,20 @@ static struct {
     OF(_state) state;
 } box;
 
-typedef int (*step_function)(const OF(_config) *, OF(_state) *, const OF(_sample) *, OF(_output) *);
+/* A step hands out its output, or leaves it to a report. */
+#if OF(_REPORTS)
+#define TAKES
+#define HANDS(output)
+#else
+#define TAKES , OF(_output) * y
+#define HANDS(output) , output
+#endif
 
-__attribute__((noinline)) static int empty(const OF(_config) * c, OF(_state) * s, const OF(_sample) * x, OF(_output) * y)
+typedef int (*step_function)(const OF(_config) *, OF(_state) *, const OF(_sample) * TAKES);
+
+__attribute__((noinline)) static int empty(const OF(_config) * c, OF(_state) * s, const OF(_sample) * x TAKES)
 {
-    __asm volatile("" : : "r"(c), "r"(s), "r"(x), "r"(y) : "memory");
+    __asm volatile("" : : "r"(c), "r"(s), "r"(x)HANDS("r"(y)) : "memory");
     return 0;
 }
 
@@ -41,9 +50,15 @@ int main(void)
         __asm volatile("" : : : "memory");
         step_function now = step;
         GPIOR1 = 1u;
-        box.status = now(&OF(_numbers), &box.state, &box.sample, &box.output);
+        box.status = now(&OF(_numbers), &box.state, &box.sample HANDS(&box.output));
         GPIOR1 = 0u;
         __asm volatile("" : : : "memory");
+#if OF(_REPORTS)
+        GPIOR1 = 2u;
+        OF(_report)(&OF(_numbers), &box.state, &box.output);
+        GPIOR1 = 0u;
+        __asm volatile("" : : : "memory");
+#endif
         step = OF(_step);
     }
 }

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from similitude.program.c import LOOPS
+from similitude.program.c import loops
 from similitude.program.fixed import integer as it
 from similitude.program.fixed.c_functions import FUNCTIONS, NEEDS
 from similitude.program.fixed.layout import halves, resolution, words
@@ -80,7 +80,8 @@ def print_fixed_c(fixed: FixedProgram) -> str:
         _struct(name, "output", *_lines(fixed.output)),
     ]
     parts = [head, f"enum {name}_status {{\n{status}\n}};\n", *structs, _init(fixed)]
-    return "\n".join([*parts, _ALWAYS.format(name=name) + helpers, _advance(fixed), LOOPS.format(name=name)])
+    bodies = [_ALWAYS.format(name=name) + helpers, _advance(fixed), loops(name, reports=False)]
+    return "\n".join([*parts, *bodies])
 
 
 def _struct(name: str, kind: str, declared: list[str], comments: list[str]) -> str:

@@ -24,6 +24,7 @@ NAME = {name!r}
 OPERATIONS = {operations}
 STATUS = {status!r}
 COORDINATES = ()
+REPORTS = False
 '''
 _TAIL = '''\
 
