@@ -29,7 +29,6 @@ from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import vehicle_prior
 from similitude.verdict import evidence, verdict
 
-SOURCE = "average of Brennan & Alleyne 2004, eq 18"
 FROZEN_SD = 0.12  # of ln K: groups frozen at averages, over cars of the population
 COMMAND_SD = 2 * COMMANDED_STEER_SD  # K answers a wrong steer scale about twice over
 UNUSED = ("no_measurement", "too_slow", "bad_sample", "not_excited")
@@ -161,7 +160,7 @@ def _assumed(
     vehicle: Vehicle, noise: SensorNoise, bias: NoiseBias, sample_time: float, scan: LagScan
 ) -> dict[str, Assumed]:
     stated = vehicle.yaw_rate_noise is not None
-    frozen = {name: Assumed(value, "-", SOURCE) for name, value in design.PAPER_GROUPS.items()}
+    frozen = {name: Assumed(value, "-", design.SOURCE) for name, value in design.PAPER_GROUPS.items()}
     return frozen | {
         "L": Assumed(vehicle.L.value, "m", vehicle.origins.get("L", "vehicle file")),
         "sample_time": Assumed(sample_time, "s", "median step of the log"),

@@ -91,7 +91,11 @@ def _shipped(source: Source, library: Library, path: Path | None, sample_time: f
         ),
         "sample_time": (step, "s", "--sample-time" if sample_time else f"{ON_TARGET}--sample-time"),
     }
-    if source.estimator not in ("paper", "monitor"):
+    if source.estimator == "paper":
+        from similitude.estimators.paper_design import PAPER_GROUPS, SOURCE
+
+        assumed |= {name: (value, "-", SOURCE) for name, value in PAPER_GROUPS.items()}
+    if source.estimator != "monitor":
         assumed["K"] = (float(prior.mean[0]), "m^2/s^2", prior.origins["K"])
     meter = _accelerometer(car, L, library, assumed)
     values = _values(source.estimator, library, prior, step, L, noise, meter)

@@ -112,7 +112,7 @@ SIMILITUDE_API int {name}_step(const {name}_config *config, {name}_state *state,
 
 _REPORT = """
 /* The output, from the state as it is: called when it is wanted, at any time between two steps. */
-#define {name}_REPORTS 1
+#define {name}_REPORTS 1 /* tells a harness that there is a report */
 void {name}_report(const {name}_config *config, const {name}_state *state, {name}_output *output);
 """
 

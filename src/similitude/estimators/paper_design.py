@@ -20,7 +20,8 @@ SETTLING = 5.0 / CORNER  # s that the high-pass is given before its output is us
 RANGE = (0.1, 1.4)  # of pi3, over which the paper draws its lines (Figure 4)
 GREATEST_T = 0.03  # dimensionless sample time beyond which the lines are not to be trusted
 JUMP = (0.1, 8.0, 50.0)  # rad/s, noise sd, and rad/s^2 of yaw beyond any car, small ones included
-PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}  # averages, eq 18
+SOURCE = "average of Brennan & Alleyne 2004, eq 18"
+PAPER_GROUPS = {"pi1": 0.4431, "pi4_slope": 1.0977, "pi5": 0.2510}
 
 K_LOW = 1e-2  # m^2/s^2, reported for a regression that says zero or less
 K_LIMIT = 1e5  # m^2/s^2

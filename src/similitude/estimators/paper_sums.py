@@ -8,7 +8,7 @@ lose nothing to rounding from sample to sample, and biquads keep formats where d
 their digits. The mean square of the residual averages over the greatest power of two of updates made so far,
 at most 2^k, in place of their number, which saves a division.
 
-Filters, gates, dead zone and status are those of `paper`; ``information_gained`` is left out.
+Filters, dead zone, outputs and status are those of `paper`; its gates are those of the other regressions.
 Invariant: whatever the sample holds, the next usable samples count.
 """
 

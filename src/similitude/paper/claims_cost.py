@@ -90,8 +90,8 @@ def _ten() -> Claim:
         unit="operations",
         condition="the recursive least squares alone is meant",
         why=f"Counted in the generated code: recursion {n['recursion']}, regressor {n['regressor']}, the "
-        f"Bessel filters of both signals {n['high-pass']}; with gates, changes of speed and the report of its "
-        f"outputs the whole has {n['paper']}.",
+        f"Bessel filters of both signals {n['high-pass']}; with gates, changes of speed and the report of "
+        f"its outputs the whole has {n['paper']}.",
     )
 
 
