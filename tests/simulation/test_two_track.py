@@ -100,3 +100,17 @@ def test_many_cars_are_each_the_one_on_a_road_with_places():
     for i, seed in enumerate([1, 2]):
         alone = drive(scenario, scenario.vehicle.draw([seed]), [seed]).seen
         np.testing.assert_allclose(together.y[:, i], alone.y, rtol=1e-9, atol=1e-12)
+
+
+def test_wheels_of_an_axle_brake_alike_until_one_has_no_more_grip():
+    """No moment of the brakes in a turn, but where the inner wheels are too light for their half."""
+    body = Body(height=0.5, track=1.5, front_roll_share=0.6, roll_time=0.1, load_sensitivity=0.0)
+    plant = TwoTrack(CAR, tyre="linear", body=body, on=FLOATS)
+
+    def turned(q, ax):
+        return plant.rates([0, 0, 0, 0, 0, q], Push(0.0, 20.0, 0, 0, 0, ax, 1.0, 1.0))[4]
+
+    assert turned(4.0, -3.0) == pytest.approx(0.0, abs=1e-12)
+    assert turned(4.0, 3.0) == pytest.approx(0.0, abs=1e-12)
+    # turning left the right wheels carry more, and hold the car back there
+    assert turned(8.0, -8.0) < -0.05

@@ -3,8 +3,9 @@
     ΔF_z = m h q/track · share of the axle,   q' = (ay − q)/roll_time   (q: ay as the body has rolled)
     C_i  = C/2 · z (1 − s (z − 1)),   z = F_z/F_z at rest,   s load sensitivity of the stiffness
 
-A wheel's slip angle is that of the velocity at its own place. Braking is shared by the loads and
-limited by each wheel's grip; where the limits differ left and right, the car is pulled aside.
+A wheel's slip angle is that of the velocity at its own place. Axles brake and drive by their loads, the two
+wheels of one alike (one brake pressure, an open differential), each limited by its grip; where the limits
+differ left and right, the car is pulled aside.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from similitude.simulation.arithmetic import Arithmetic
 from similitude.simulation.car import GRAVITY, Car
 from similitude.simulation.plant import Output, Push, runge_kutta
 from similitude.simulation.road import surface_at
-from similitude.simulation.single_track import MOST_BRAKING, axle_limit
+from similitude.simulation.single_track import MOST_BRAKING
 from similitude.simulation.tyres import lateral_force
 
 _LEAST_LOAD = 1e-3  # of the load at rest: a wheel that has lifted carries nothing [-]
@@ -114,9 +115,10 @@ class TwoTrack:
             z = load / rest
             slip = delta - on.atan(sideways / (push.U - out * r))
             C_i = C * stiffness * z * (1.0 - self.body.load_sensitivity * (z - 1.0))
-            most = axle_limit(load, friction, ax, on)
-            force = force + lateral_force(self.tyre, C_i, slip, most, on)
+            most = friction * load
             if ax != 0.0:
-                used = on.minimum(abs(ax) / (friction * GRAVITY), MOST_BRAKING)
-                pulling = pulling - out * on.sign(ax) * used * friction * load
+                used = on.minimum(rest * abs(ax) / (GRAVITY * most), MOST_BRAKING)
+                pulling = pulling - out * on.sign(ax) * used * most
+                most = most * on.sqrt(1.0 - used * used)
+            force = force + lateral_force(self.tyre, C_i, slip, most, on)
         return force, pulling
