@@ -31,7 +31,7 @@ FLOW = (
     "log_survey log",
     "populations",
     "accelerometer vehicle_prior filter_config coarse_log slow_bus servo filter_run steer_lag",
-    "steer_servo",
+    "steer_servo steer_passes",
     "batch_pass batch_slopes batch_fit",
     "run verdict prediction handling stiffness_doubt",
     "monitor_config change_alarm information_meter time_scales saved_state drive_memory",

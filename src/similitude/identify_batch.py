@@ -27,6 +27,7 @@ from similitude.log import Log
 from similitude.prediction import predict_ahead
 from similitude.run import Nuisance, Run, axle_stiffness
 from similitude.speed_unit_doubt import speed_unit_doubts
+from similitude.steer_passes import behind_servos
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
 from similitude.verdict import evidence, linear_doubts, verdict
@@ -41,14 +42,16 @@ def identify_batch(log: Log, vehicle: Vehicle) -> Run:
     done = replace(batch.frozen, setup=setup).run(batch.x, batch.scales)
     rows = np.ones(log.samples)
     information = np.interp(log.t, batch.t, batch.information)
-    trace = trace_of(done, batch.values["K"] * rows, batch.std[0] * rows, information)
+    open_servo = behind_servos(ready.setup, ready.scan)
+    ln_K_std = float(np.hypot(batch.std[0], open_servo))
+    trace = trace_of(done, batch.values["K"] * rows, ln_K_std * rows, information)
     low, high = (limit[:4] for limit in coordinate_limits(batch.frozen))
-    at_limit = held_by_limits(batch.x[:4], low, high, prior, float(batch.std[0]))
+    at_limit = held_by_limits(batch.x[:4], low, high, prior, ln_K_std)
     noise_scale = float(np.exp(batch.scales[0]))
     seen = evidence(log, trace, prior, noise_scale=noise_scale, at_limit=at_limit)
     code, reason = verdict(seen)
     learnt = code != "not_excited"
-    found = reported(batch)
+    found = reported(batch, open_servo)
     values = {name: batch.values[name] for name in NAMES}
     return Run(
         log=log,

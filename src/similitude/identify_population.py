@@ -13,7 +13,7 @@ from similitude.accelerometer import Accelerometer, find_accelerometer
 from similitude.change_alarm import watch
 from similitude.cross_check import cross_check, sentence
 from similitude.drive_memory import TakenUp, in_line, remember, take_up
-from similitude.filter_run import Pass, Setup, side_by_side
+from similitude.filter_run import Pass
 from similitude.handling import handling
 from similitude.identify_setup import (
     assumed_of,
@@ -34,7 +34,7 @@ from similitude.prediction import predict_ahead
 from similitude.run import Assumed, Nuisance, Run, Trace, axle_stiffness, held, positive_estimate
 from similitude.saved_state import SavedState
 from similitude.speed_unit_doubt import speed_unit_doubts
-from similitude.steer_lag import LagScan
+from similitude.steer_passes import passes
 from similitude.time_scales import time_scales
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
@@ -58,7 +58,12 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
     accelerometer, unused = find_accelerometer(log, vehicle)
     setup = ready.setup.with_accelerometer(accelerometer) if accelerometer else ready.setup
     taken = take_up(state, vehicle, setup) if state else None
-    done, lag_spread = _passes(in_line(setup, taken), scan, taken)
+    in_time = in_line(setup, taken)
+    if taken is None:
+        done, lag_spread = passes(in_time, scan)
+    else:
+        done = in_time.run(taken.filter)
+        lag_spread = np.full(log.samples, taken.state.settings["ln_K_std_of_lag"])
     watched = watch(done, taken.monitor if taken else None)
     check = cross_check(ready, done)
     trace = trace_of(done, done.output("estimate"), np.hypot(np.sqrt(done.output("variance")), lag_spread))
@@ -99,13 +104,13 @@ def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = N
         ),
         assumed=assumed_of(ready) | _assumed_of_accelerometer(accelerometer) | _assumed_of_watch(taken),
         Caf=axle_stiffness(vehicle, K),
-        batch=reported(batch) if batch else None,
+        batch=reported(batch, float(lag_spread[-1]) if scan.others else 0.0) if batch else None,
         cross_check=check,
         alarms=tuple(alarm.record for alarm in watched.alarms),
         monitor={"armed_share": watched.armed_share, "hours_between_false_alarms": BETWEEN_FALSE_ALARMS},
         information=asdict(information(trace.t, trace.information, float(trace.ln_K_std[-1]))),
         time_scales=scales.record,
-        memory=remember(vehicle, done, watched, scales, float(np.broadcast_to(lag_spread, log.samples)[-1])),
+        memory=remember(vehicle, done, watched, scales, float(lag_spread[-1])),
     )
 
 
@@ -124,22 +129,6 @@ def _assumed_of_watch(taken: TakenUp | None) -> dict[str, Assumed]:
     alarms = Assumed(BETWEEN_FALSE_ALARMS, "h", "threshold measured over simulated roads; docs/monitor.md")
     started = {"start": Assumed(taken.elapsed, "s", taken.told)} if taken else {}
     return {"time between false alarms": alarms, **started}
-
-
-def _passes(setup: Setup, scan: LagScan, taken: TakenUp | None) -> tuple[Pass, np.ndarray | float]:
-    """The pass over the log, and the sd of ln K from the sd of a lag nobody stated, (n,).
-
-    That is half the difference of two passes, or what it was in the drive that scanned the lag.
-    """
-    if taken is not None:
-        return setup.run(taken.filter), taken.state.settings["ln_K_std_of_lag"]
-    if scan.std == 0:
-        return setup.run(), 0.0
-    lags = [scan.chosen, scan.chosen + scan.std, max(scan.chosen - scan.std, 0.0)]
-    at_lags = [setup.with_lag(lag, setup.input_scale_sd) for lag in lags]
-    done, *sides = side_by_side([at_lag.run for at_lag in at_lags])
-    later, earlier = (np.log(side.output("estimate")) for side in sides)
-    return done, np.abs(later - earlier) / 2
 
 
 def usual_speed(done: Pass) -> float:

@@ -124,11 +124,11 @@ def with_fitted_lag(ready: Prepared, batch: BatchFit | None) -> Prepared:
     return replace(ready, scan=scan, setup=setup)
 
 
-def reported(batch: BatchFit) -> Batch:
-    """What a report says of a batch fit."""
+def reported(batch: BatchFit, behind_servos: float = 0.0) -> Batch:
+    """What a report says of a batch fit; ``behind_servos`` is the sd of ln K from the servo of a command."""
     names = ("pi1", "eta", "rho", "steer_scale", "steer_lag")
     return Batch(
-        K=positive_estimate(batch.values["K"], float(batch.std[0]), UNITS["K"]),
+        K=positive_estimate(batch.values["K"], float(np.hypot(batch.std[0], behind_servos)), UNITS["K"]),
         correlation={name: batch.correlation(name) for name in names},
         widened=batch.widened,
         halves={

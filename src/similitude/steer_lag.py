@@ -33,11 +33,21 @@ EARLY = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)  # s by which a yaw rate may
 COMMAND = 0.03  # s: a measured road wheel does not act this late; a command does
 
 
+@dataclass(frozen=True)
+class Otherwise:
+    """Another servo that it may have been, how much ``later`` its lag is [s], and its weight."""
+
+    servo: Servo
+    later: float
+    weight: float
+
+
 @dataclass(frozen=True, eq=False)
 class LagScan:
     """Lags tried (k,) [s], their cost (k,) above the best [-], and the one chosen [s], with its sd.
 
-    Behind the lag a command passes a ``servo``.
+    Behind the lag a command passes a ``servo``; ``others`` are servos and lags that it may have been as well,
+    their weights being of all, the chosen one included.
 
     ``early`` [s] is by how much the yaw rate comes before the steer that should cause it, which no car
     does and two clocks do; zero where the log does not speak for it.
@@ -50,6 +60,7 @@ class LagScan:
     std: float = 0.0  # of the chosen lag [s]; zero where the vehicle file states it
     early: float = 0.0
     servo: Servo = DIRECT
+    others: tuple[Otherwise, ...] = ()
 
     @property
     def total(self) -> float:

@@ -8,6 +8,7 @@ Invariant: a measured steer angle has no servo; where the log says nothing, a co
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,7 +16,7 @@ import numpy as np
 from similitude.filter_config import COMMANDED_STEER_SD
 from similitude.filter_run import Setup
 from similitude.servo import DIRECT, Servo
-from similitude.steer_lag import RATE, STEP, LagScan, costs, lag_behind, losses
+from similitude.steer_lag import RATE, STEP, LagScan, Otherwise, costs, lag_behind, losses
 
 CONSTANTS = (0.0, 0.015, 0.03, 0.045, 0.06, 0.08, 0.11)  # s
 SLEWS = (0.5, 0.8, 1.2, 1.8, 2.5, 3.2, 4.2, 6.0, np.inf)  # rad/s of the road wheels
@@ -25,6 +26,7 @@ CONSTANT_LOG_SD, SLEW_LOG_SD = 0.7, 0.8
 QUICKEST = Servo(0.010, 10.0)  # no servo at all is as unusual as one so quick
 STEPS = (-STEP, -STEP / 2, STEP / 2, STEP)  # s
 ROUNDS = 3
+MOST = 12  # other servos that K is worked out with
 
 
 @dataclass(frozen=True)
@@ -54,13 +56,22 @@ def find_servo(setup: Setup, scan: LagScan) -> LagScan:
     """
     coarse = setup.at_rate(RATE)
     best = _Trial(DIRECT, scan.chosen)
-    best = _best(coarse, best, [trial for T in CONSTANTS for trial in _with_constant(best, T)])
-    best = _best(coarse, best, [replace(best, servo=replace(best.servo, slew=slew)) for slew in SLEWS])
+    best, _ = _best(coarse, best, [trial for T in CONSTANTS for trial in _with_constant(best, T)])
+    best, _ = _best(coarse, best, [replace(best, servo=replace(best.servo, slew=slew)) for slew in SLEWS])
     for _ in range(ROUNDS):
-        before, best = best, _best(coarse, best, _near(best))
+        before, (best, cost) = best, _best(coarse, best, _near(best))
         if best == before:
             break
-    return replace(lag_behind(setup.with_servo(best.servo)), early=scan.early)
+    behind = lag_behind(setup.with_servo(best.servo))
+    return replace(behind, early=scan.early, others=_others(best, cost))
+
+
+def _others(best: _Trial, cost: Mapping[_Trial, float]) -> tuple[Otherwise, ...]:
+    """The most probable of the other trials of the last round."""
+    weights = {trial: float(np.exp(cost[best] - x)) for trial, x in cost.items()}
+    total = sum(weights.values())
+    likely = sorted((x for x in weights if x != best), key=weights.__getitem__, reverse=True)[:MOST]
+    return tuple(Otherwise(x.servo, x.lag - best.lag, weights[x] / total) for x in likely)
 
 
 def _near(trial: _Trial) -> list[_Trial]:
@@ -85,9 +96,9 @@ def _with_constant(trial: _Trial, constant: float) -> list[_Trial]:
     return [_Trial(servo, max(trial.lag - share * change, 0.0)) for share in (0.0, 0.5, 1.0)]
 
 
-def _best(setup: Setup, best: _Trial, others: list[_Trial]) -> _Trial:
-    """The most probable of the trials, on the rows that all of them can show."""
+def _best(setup: Setup, best: _Trial, others: list[_Trial]) -> tuple[_Trial, dict[_Trial, float]]:
+    """The most probable of the trials, and the cost of each, on the rows that all of them can show."""
     tried = [best, *(trial for trial in others if trial != best and trial.lag >= 0)]
     setups = [setup.with_servo(x.servo).with_lag(x.lag, COMMANDED_STEER_SD) for x in tried]
     cost = costs(losses(setups), setup) + [x.unusual for x in tried]
-    return tried[int(np.argmin(cost))]
+    return tried[int(np.argmin(cost))], dict(zip(tried, cost.tolist(), strict=True))
