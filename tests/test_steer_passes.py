@@ -66,7 +66,7 @@ def test_other_servos_count_by_how_much_the_log_speaks_for_them(driven):
 
 @pytest.mark.slow
 def test_the_interval_holds_K_behind_servos_that_were_not_told():
-    """24 drives behind servos of all kinds: without their share an interval is a fifth too narrow."""
+    """24 drives behind servos of all kinds."""
     rng, off = np.random.default_rng(5), []
     for seed in range(24):
         servo = Servo(0.04 * np.exp(0.5 * rng.standard_normal()), 2.0 * np.exp(0.6 * rng.standard_normal()))
