@@ -22,7 +22,8 @@ def small_population_filter(reduction: Reduction) -> Program:
 
     Parameters
     ----------
-    reduction : Reduction    one input, one output, any number of states and unknowns.
+    reduction : Reduction    one input, any number of states and unknowns; one output, or a second one that is
+        a sum of states and rates.
 
     Returns
     -------
