@@ -85,3 +85,15 @@ def test_limits_lie_at_their_distance_in_the_coordinate():
     assert np.log(prior.mean / low)[[0, 2]] == pytest.approx([0.7, 0.3])
     assert (high - prior.mean)[1] == pytest.approx(0.1)
     assert (prior.mean - low)[1] == pytest.approx(0.1)
+
+
+def test_one_more_unknown_may_err_as_another_does():
+    """d = p - q: its covariance with everything is that of p, its variance q's more."""
+    prior = correlated(3)
+
+    more = prior.beside("d", "linear", 0.1, 0.02, "stated", as_of="p")
+
+    assert np.array_equal(more.covariance[3, :3], prior.covariance[1])
+    assert more.covariance[3, 3] == pytest.approx(prior.covariance[1, 1] + 0.02**2)
+    assert np.array_equal(more.covariance[:3, :3], prior.covariance)
+    assert not prior.beside("d", "linear", 0.1, 0.02, "stated").covariance[3, :3].any()

@@ -91,7 +91,8 @@ def longest(values: Mapping[str, float]) -> float:
 
     slow = ("disturbance_adapt", "noise_adapt", "excitation_rate")  # of so many samples at once
     rates = [v for n, v in values.items() if n.endswith("_rate")] + [TURNS * values[n] for n in slow]
-    return min(1 / max(rates), 2 * values["structure_time"])
+    times = [values[n] for n in ("structure_time", "ay_time") if n in values]
+    return min(1 / max(rates), 2 * min(times))
 
 
 def filter_config(
@@ -118,13 +119,7 @@ def filter_config(
     """
     if "grip_prior" in library.names("config"):
         prior = prior.beside("grip", "log", *GRIP, "dry road")
-    further: dict[str, float] = {}
-    if "place_prior" in library.names("config") and accelerometer is not None:
-        prior = prior.beside(
-            "place", "linear", accelerometer.behind / L, accelerometer.behind_sd / L, "stated"
-        )
-        prior = prior.beside("bank", "linear", 0.0, BANK, "roads").beside("push", "linear", 0.0, PUSH, "wind")
-        further = {**ACCELEROMETER, "ay_variance": accelerometer.noise**2}
+    prior, further = _with_accelerometer(library, prior, accelerometer, L)
     widths = LIMIT_SD * prior.std
     widths[0] = LIMIT_SD_TARGET * np.hypot(prior.std[0], ROOM)
     low, high = prior.limits(widths)
@@ -142,3 +137,24 @@ def filter_config(
     told = {row[0] for row in library.layout.CONFIG}  # a small filter asks for less
     own = {name: value for name, value in {**DESIGN, **further, **values}.items() if name in told} | changes
     return library.config({**({"longest": longest(own)} if "longest" in told else {}), **own})
+
+
+def _with_accelerometer(
+    library: Library, prior: Prior, accelerometer: Accelerometer | None, L: float
+) -> tuple[Prior, dict[str, float]]:
+    """Prior and numbers of a filter that takes lateral acceleration; those of the others are left alone."""
+    names = library.names("config")
+    if "ay_limit" not in names or accelerometer is None:
+        return prior, {}
+    further = {**ACCELEROMETER, "ay_variance": accelerometer.noise**2}
+    behind, sd = accelerometer.behind / L, accelerometer.behind_sd / L
+    if "place_prior" in names:
+        prior = prior.beside("place", "linear", behind, sd, "stated")
+        prior = prior.beside("bank", "linear", 0.0, BANK, "roads").beside("push", "linear", 0.0, PUSH, "wind")
+        return prior, further
+    centre = prior.mean[prior.names.index("pi1")]  # a small filter: ahead of it, and a bias that wanders
+    prior = prior.beside("lead", "linear", centre - behind, sd, "stated", as_of="pi1")
+    wandering = 2 * (further["bank_rate"] * BANK**2 + further["push_rate"] * PUSH**2)
+    further["ay_bias_sd"] = float(np.hypot(further["ay_bias_sd"], np.hypot(BANK, PUSH)))
+    further["ay_bias_drift"] += wandering
+    return prior, further

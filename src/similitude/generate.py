@@ -19,7 +19,10 @@ from similitude.program.c import print_c
 from similitude.program.ir import Program
 from similitude.program.python import print_python
 from similitude.systems.bicycle import bicycle_reduction
-from similitude.systems.bicycle_with_accelerometer import bicycle_with_accelerometer_reduction
+from similitude.systems.bicycle_with_accelerometer import (
+    bicycle_with_accelerometer_reduction,
+    small_accelerometer_reduction,
+)
 from similitude.systems.saturating_bicycle import saturating_bicycle_reduction
 
 DIRECTORY = Path(__file__).parent / "generated"
@@ -39,7 +42,8 @@ def shipped() -> tuple[Program, ...]:
         scalar_population_filter,
     )
     richer = (saturating_bicycle_reduction(), bicycle_with_accelerometer_reduction())
-    return (*map(population_filter, richer), *(make(reduction) for make in makers))
+    small = small_population_filter(small_accelerometer_reduction())
+    return (*map(population_filter, richer), small, *(make(reduction) for make in makers))
 
 
 def texts() -> dict[str, str]:

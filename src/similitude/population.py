@@ -91,18 +91,23 @@ class Prior:
             {name: self.origins[name] for name in names if name in self.origins},
         )
 
-    def beside(self, name: str, kind: str, mean: float, std: float, origin: str) -> Prior:
-        """The same with one more unknown, independent of the others.
+    def beside(
+        self, name: str, kind: str, mean: float, std: float, origin: str, *, as_of: str | None = None
+    ) -> Prior:
+        """The same with one more unknown, independent of the others or off as one of them is.
 
         Parameters
         ----------
         name, kind : of the unknown, ``"log"`` or ``"linear"``.
         mean : its value [its unit]. std : sd of its coordinate.
         origin : where they came from, in words.
+        as_of : the unknown whose error is in it, with ``std`` for what it has besides.
         """
         n = len(self.names)
-        covariance = np.zeros((n + 1, n + 1))
-        covariance[:n, :n], covariance[n, n] = self.covariance, std**2
+        copied = np.eye(n)[[self.names.index(as_of)]] if as_of else np.zeros((1, n))
+        rows = np.vstack([np.eye(n), copied])
+        covariance = rows @ self.covariance @ rows.T
+        covariance[n, n] += std**2
         return Prior(
             (*self.names, name),
             (*self.kinds, kind),

@@ -4,47 +4,19 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from similitude.estimators.filter_lean import TURNS, bounded_once, keep_each_within, move_square
+from similitude.estimators.filter_lean import TURNS, bounded_once
 from similitude.estimators.small_population import small_population_filter
 from similitude.filter_config import longest
 from similitude.program.ir import Assign, walk
 from similitude.program.library import shipped
-from similitude.status import STATUS
 from similitude.systems.bicycle import bicycle_reduction
 
 from ..filter_rig import car_config
-from ..run_statements import run_statements
 from .test_small_population import drive
 
 LIBRARY = shipped("bicycle_small_population")
 CONFIG = car_config(LIBRARY)
-
-
-@settings(max_examples=200, deadline=None)
-@given(st.floats(-2, 2), st.floats(1e-3, 1e3))
-def test_a_move_is_that_of_the_logarithm_and_never_below_zero(by, value):
-    """exp(m/2) to second order, squared: 1 + m + m^2/2 + m^3/8 + m^4/64, off by m^3/24 and less."""
-    moved = run_statements(move_square("K", "d"), {"d": by, "K": value})["K"] / value
-
-    series = 1 + by + by**2 / 2 + by**3 / 6 + by**4 / 24
-    assert moved >= 0.25 * (1 - 1e-12)
-    assert moved == pytest.approx(series, abs=abs(by) ** 3 / 24 + by**4 / 24 + 1e-12)
-
-
-@pytest.mark.parametrize("by", [-1e30, -16.0, 16.0, 1e30])
-def test_no_move_makes_an_unknown_negative(by):
-    assert run_statements(move_square("K", "d"), {"d": by, "K": 100.0})["K"] > 0
-
-
-@pytest.mark.parametrize(("value", "kept", "told"), [(0.5, 1.0, True), (1.5, 1.5, False), (3.0, 2.0, True)])
-def test_an_unknown_is_put_back_to_its_limit(value, kept, told):
-    lines = keep_each_within(["K"])
-    done = run_statements(lines, {"K": value, "K_low": 1.0, "K_high": 2.0, "status": 0})
-
-    assert done["K"] == kept and (done["status"] == STATUS["at_limit"]) == told
 
 
 def test_no_average_takes_more_than_its_newest_sample():

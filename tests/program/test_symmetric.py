@@ -6,6 +6,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from similitude.program.ir import Assign
 from similitude.program.symmetric import Shared, Symmetric, column, predict, reduce_by
 
 from ..run_statements import run_statements
@@ -79,6 +80,22 @@ def test_predict_is_F_P_F_plus_Q(slow, fast, seed):
     dense = {P.target(i, j) for i in range(fast) for j in range(fast)}
     slow = [target for target in targets if target not in dense]
     assert len(slow) == len(set(slow))  # only what the dynamic states share is summed up in place
+
+
+def test_what_is_worked_out_beside_a_column_sees_it_as_it_was():
+    P, f = Symmetric("P", 3), sp.Rational(1, 2)
+    before = random_covariance(np.random.default_rng(1), 3)
+
+    def beside(j, FP):
+        return [Assign(f"was_{j}", P[0, j]), Assign(f"FP_of_{j}", FP[0])]
+
+    rows = {0: {0: f, 1: sp.Integer(2), 2: sp.Integer(3)}}
+    lines = predict(P, rows, Shared({}, {0: sp.Integer(0)}), decay={1: f}, noise={}, beside=beside)
+
+    done = run_statements(lines, stored(P, before))
+    for j in range(3):
+        assert done[f"was_{j}"] == before[0, j]
+        assert done[f"FP_of_{j}"] == pytest.approx(np.array([0.5, 2.0, 3.0]) @ before[:, j])
 
 
 @settings(max_examples=30, deadline=None)

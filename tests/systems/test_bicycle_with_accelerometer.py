@@ -9,6 +9,7 @@ from similitude.systems.bicycle_with_accelerometer import (
     bank,
     bicycle_with_accelerometer_groups,
     bicycle_with_accelerometer_reduction,
+    small_accelerometer_reduction,
 )
 from similitude.systems.saturating_bicycle import saturating_bicycle_reduction
 
@@ -41,3 +42,10 @@ def test_the_place_is_counted_from_the_front_axle():
     assert [n for n, role in roles.items() if role == "wander"] == ["bank", "push"]
     plain = [u.name for u in saturating_bicycle_reduction().unknowns]
     assert list(roles)[: len(plain)] == plain
+
+
+def test_the_small_one_has_linear_tyres_and_feels_the_same_but_bank_and_wind():
+    reduction = small_accelerometer_reduction()
+    assert [u.name for u in reduction.unknowns] == ["K", "pi1", "eta", "rho", "lead"]
+    rates, lead = reduction.rates, sp.Symbol("lead", real=True)
+    assert sp.simplify(reduction.output_map["ay"] - (rates["v"] + r + lead * rates["r"])) == 0

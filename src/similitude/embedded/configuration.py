@@ -104,7 +104,7 @@ def _shipped(source: Source, library: Library, path: Path | None, sample_time: f
 
 def _accelerometer(car: Any, L: float, library: Library, assumed: dict[str, Any]) -> Any:
     """The accelerometer of a filter that takes lateral acceleration; what is taken for it is assumed."""
-    if "place_prior" not in library.names("config"):
+    if "ay_limit" not in library.names("config"):
         return None
     from similitude.accelerometer import BEHIND_SD, QUIETEST, Accelerometer
 

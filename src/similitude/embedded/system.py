@@ -29,7 +29,7 @@ SHIPPED = {
         "robust",
     ),
     "saturating_bicycle": ("population",),
-    "bicycle_with_accelerometer": ("population",),
+    "bicycle_with_accelerometer": ("population", "small_population"),
 }
 ESTIMATORS = SHIPPED["bicycle"]
 MAKERS = {

@@ -22,6 +22,7 @@ from similitude.sampling import ImplicitStep
 
 ORDER = ("inv_spread", "learn", "learn_slow", "learn_seldom")  # of weights: each is zero where one before is
 
+Beside = Callable[[int, Mapping[int, sp.Symbol]], list[Assign]]  # as of `program.symmetric.predict`
 Move = Callable[[str, str], list[Assign]]  # name of a positive state, and of the change of its logarithm
 
 
@@ -57,11 +58,15 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
 
 
 def propagation(
-    layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr], slow: Mapping[int, sp.Expr]
+    layout: Layout,
+    step: ImplicitStep,
+    ratios: Sequence[sp.Expr],
+    slow: Mapping[int, sp.Expr],
+    beside: Beside = lambda j, FP: [],
 ) -> tuple[list[Assign], list[Assign]]:
     """Entries of F that are no working value yet, and P <- F P F' + Q.
 
-    ``slow`` index -> variance added to a slow coordinate.
+    ``slow`` index -> variance added to a slow coordinate; ``beside`` is worked out with it.
     """
     at = {name: i for i, name in enumerate(layout.coordinates)}
     entries: list[Assign] = []
@@ -81,7 +86,7 @@ def propagation(
     )
     decay = {at[DISTURBANCE]: S("keep_w")} | {at[n]: S(f"keep_{n}") for n in layout.wandering}
     noise = {at[DISTURBANCE]: added, **slow}
-    return entries, predict(layout.covariance, rows, shared, decay=decay, noise=noise)
+    return entries, predict(layout.covariance, rows, shared, decay=decay, noise=noise, beside=beside)
 
 
 def slow_noise(layout: Layout) -> dict[int, sp.Expr]:
@@ -144,12 +149,13 @@ def measurement(
     further: Sequence[Statement] = (),
     *,
     update: Callable[[Layout, Mapping[int, sp.Expr]], list[Statement]] | None = None,
+    unheard: Sequence[Statement] = (),
     move: Move = move_log,
 ) -> list[Statement]:
     """Predict the output and, where the sample is usable, update everything by the innovation.
 
     ``further`` is what the other outputs of the sample correct after that; ``update`` what the innovation
-    does in place of this filter's own; ``move`` how a logarithm moves.
+    does in place of this filter's own, ``unheard`` what is done without one; ``move`` how a logarithm moves.
     """
     groups = layout.reduction.groups
     states = {q.symbol: S(n) for q, n in zip(groups.model.states, layout.fast, strict=True)}
@@ -199,7 +205,7 @@ def measurement(
         *_validity(layout, states),
     ]
     own = (update or _update)(layout, H)
-    unused = unmeasured(layout) if layout.lean else ()
+    unused = (*unmeasured(layout), *unheard) if layout.lean else ()
     lines.append(When(S("usable") > sp.Rational(1, 2), (*own, *further), unused, "measurement"))
     return [*lines, *move_unknown(layout.reduction.unknowns[0], "move", move)]
 
@@ -344,7 +350,7 @@ def linear_range(layout: Layout) -> sp.Basic:
     return S("validity") < S("validity_limit") ** 2
 
 
-def state_update(layout: Layout, gains: Mapping[int, sp.Symbol], move: Move = move_log) -> list[Assign]:
+def state_update(layout: Layout, gains: Mapping[int, sp.Symbol]) -> list[Assign]:
     """Every coordinate but the first unknown, which moves at the end of the step."""
     nu = S("innovation")
     lines: list[Assign] = []
@@ -353,7 +359,7 @@ def state_update(layout: Layout, gains: Mapping[int, sp.Symbol], move: Move = mo
         name = layout.coordinates[i]
         if name == INPUT_SCALE or (name in kinds and kinds[name].kind == "log"):
             lines.append(Assign(f"move_{name}", gain * nu))
-            lines += move(name, f"move_{name}")
+            lines += move_log(name, f"move_{name}")
         else:
             lines.append(Assign(name, S(name) + gain * nu))
     return lines

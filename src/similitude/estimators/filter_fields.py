@@ -281,6 +281,7 @@ def _validity_unit(layout: Layout) -> str:
 def state_fields(layout: Layout) -> tuple[Field, ...]:
     """What the filter remembers between samples."""
     i, o = layout.input, layout.output
+    carried = len(layout.coordinates) if layout.lean else 0
     return (
         *(Field(name, "-", "dimensionless state") for name in layout.fast),
         *(Field(name, "-", "the same, not corrected by measurements") for name in layout.companion),
@@ -291,7 +292,7 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field(DISTURBANCE, i.unit, f"disturbance as an equivalent {i.name}"),
         *(Field(u.name, u.unit, u.meaning) for u in layout.reduction.unknowns),
         *_error_states(layout),
-        *(field for q in layout.further for field in further_state(q)),
+        *(field for q in layout.further for field in further_state(q, coordinates=carried)),
         layout.covariance.field("-", "covariance of the coordinates above, upper triangle by rows"),
         Field("noise_scale", "-", "noise variance against nominal"),
         Field("disturbance_scale", "-", "disturbance variance against nominal"),

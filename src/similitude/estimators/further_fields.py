@@ -25,10 +25,16 @@ def further_config(q: Quantity) -> tuple[Field, ...]:
     )
 
 
-def further_state(q: Quantity) -> tuple[Field, ...]:
-    """What the filter remembers of a further output."""
+def further_state(q: Quantity, *, coordinates: int = 0) -> tuple[Field, ...]:
+    """What the filter remembers of a further output; a small one its covariance with all coordinates, too."""
     n, unit = q.name, q.unit
+    small = (
+        Field(f"{n}_with", unit, f"covariance of {n} with the coordinates", coordinates),
+        Field(f"{n}_spread", f"({unit})^2", f"variance of {n} predicted"),
+        Field(f"last_{n}", unit, f"{n} of the sample before"),
+    )
     return (
+        *(small if coordinates else ()),
         Field(f"{n}_bias", unit, f"bias of {n}"),
         Field(f"{n}_activity", f"({unit})^2", f"mean square of {n} predicted"),
         Field(f"{n}_noise_scale", "-", f"noise variance of {n} against nominal"),
@@ -40,10 +46,19 @@ def further_sample(q: Quantity) -> Field:
     return Field(f"{q.name}_measured", q.unit, f"measured {q.meaning}")
 
 
-def further_variable(q: Quantity) -> Field:
-    """A working value that outlives a guard."""
-    return Field(
-        f"{q.name}_inv_spread", f"1/({q.unit})^2", f"1/variance the innovation of {q.name} counts with"
+def further_variables(q: Quantity, *, lean: bool) -> tuple[Field, ...]:
+    """Working values that outlive a guard."""
+    n, unit = q.name, q.unit
+    spread = Field(f"{n}_inv_spread", f"1/({unit})^2", f"1/variance the innovation of {n} counts with")
+    if not lean:
+        return (spread,)
+    return (
+        spread,
+        Field(
+            f"{n}_innovation", unit, f"measured minus predicted {n} that the first output does not explain"
+        ),
+        Field(f"{n}_after", f"1/({unit})", f"what the first output has said of {n}"),
+        Field(f"{n}_odd", "-", f"by how much {n} is not as expected"),
     )
 
 

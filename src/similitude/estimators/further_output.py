@@ -85,7 +85,7 @@ def _predict(layout: Layout, q: Quantity) -> list[Statement]:
         Assign(scale.name, layout.inverted(reduction.groups.scale[n]), f"{n} = scale x dimensionless"),
         Assign(u.name, (acting + S(OFFSET) + S(DISTURBANCE)) * unit, "effective input at the end [-]"),
         Assign(u_plain.name, acting * unit),
-        *shared(f"{n}_s", {name: scale * e.doit() for name, e in named.items()}),
+        *shared(f"{n}_s", {name: sp.factor_terms(scale * e.doit()) for name, e in named.items()}),
         Assign(
             f"{n}_activity",
             S(f"{n}_activity") + share("activity_rate") * (S(f"{n}_response") ** 2 - S(f"{n}_activity")),

@@ -29,9 +29,11 @@ from similitude.estimators.filter_fields import (
     Layout,
 )
 from similitude.estimators.filter_gates import gates, restart
-from similitude.estimators.filter_lean import keep_each_within, lean_dynamics, lean_update, move_square
-from similitude.estimators.further_fields import further_variable
+from similitude.estimators.filter_lean import lean_dynamics, lean_update
+from similitude.estimators.further_fields import further_variables
+from similitude.estimators.further_lean import forget
 from similitude.estimators.further_output import further_updates
+from similitude.estimators.lean_correction import keep_each_within, move_square
 from similitude.program.ir import Assign, Field, Program, Statement, When
 from similitude.reduction import Reduction
 from similitude.sampling import implicit_step
@@ -119,13 +121,13 @@ def _variables(layout: Layout) -> tuple[Field, ...]:
         Field("diffusion", "1/s", "diffusion of the first unknown now"),
         Field("inv_spread", "-", "1/variance the innovation counts with"),
         Field("move", "-", "change of the first unknown's logarithm"),
-        *(further_variable(q) for q in layout.further),
+        *(f for q in layout.further for f in further_variables(q, lean=layout.lean)),
         *(Field(f"d_{name}", "-", "change over the step") for name in layout.fast if layout.lean),
         *([Field("linear", "-", "1 in the model's linear range")] if layout.lean else []),
         *(
-            [Field("learn_seldom", "-", "1/variance for what is learnt now and then")]
+            Field(f"{n}learn_seldom", "-", "1/variance for what is learnt now and then")
+            for n in ("", *(f"{q.name}_" for q in layout.further))
             if layout.lean and layout.seldom
-            else []
         ),
     )
 
@@ -171,6 +173,10 @@ def _init(layout: Layout) -> list[Statement]:
     lines += [Assign(f"last_{q.name}", least) for q in layout.signals if layout.lean]
     names += ["turn"] if layout.lean else []
     names += [f"{q.name}_{part}" for q in layout.further for part in ("bias", "activity")]
+    if layout.lean:
+        names += [f"{q.name}_with_{i}" for q in layout.further for i in range(P.n)]
+        names += [f"{q.name}_spread" for q in layout.further]
+        lines += forget(layout)
     lines += [Assign(f"{q.name}_noise_scale", sp.Integer(1)) for q in layout.further]
     if layout.leans_on_offset:
         names.append(PLAIN_OFFSET)
@@ -281,8 +287,9 @@ def _dynamics(layout: Layout) -> list[Statement]:
 
 
 def _measurement(layout: Layout) -> list[Statement]:
-    own = {"update": lean_update, "move": move_square} if layout.lean else {}
-    return cov.measurement(layout, further_updates(layout), **own)
+    if layout.lean:
+        return cov.measurement(layout, update=lean_update, unheard=forget(layout), move=move_square)
+    return cov.measurement(layout, further_updates(layout))
 
 
 def _scales(layout: Layout) -> list[Statement]:

@@ -5,7 +5,7 @@ Left out is what loses little: scale and offset of the input (the disturbance st
 companion states (sensitivities are taken along the estimate), the second half step and the straight line
 between two inputs, and what only a monitor needs. What that loses is printed by scripts/small_filter.py.
 
-Invariant: there is no second filter; every statement is one of the population filter's.
+Invariant: there is no second filter: the same derivation by another layout, its steps in a shorter order.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ def small_population_filter(reduction: Reduction) -> Program:
 
     Parameters
     ----------
-    reduction : Reduction    one input, one output, any number of states and unknowns.
+    reduction : Reduction    one input, any number of states and unknowns; one output, or a second one that is
+        a sum of states and rates.
 
     Returns
     -------

@@ -306,8 +306,8 @@ SIMILITUDE_PART void bicycle_small_population_correct(
         const bicycle_small_population_real output_scale,
         const bicycle_small_population_real inv_spread,
         const bicycle_small_population_real c_1,
-        const bicycle_small_population_real c_7,
         const bicycle_small_population_real c_3,
+        const bicycle_small_population_real c_7,
         const bicycle_small_population_real innovation)
 {
     bicycle_small_population_real *const P = state->P;
@@ -317,9 +317,6 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     const bicycle_small_population_real c_5 = P[32] + P[12]*output_scale;
     const bicycle_small_population_real c_6 = P[34] + P[13]*output_scale;
     const bicycle_small_population_real gain_0 = c_0*inv_spread;
-    const bicycle_small_population_real gain_1 = c_1*inv_spread;
-    const bicycle_small_population_real gain_2 = c_2*inv_spread;
-    const bicycle_small_population_real gain_7 = c_7*inv_spread;
     P[0] = P[0] - c_0*gain_0;
     P[1] = P[1] - c_1*gain_0;
     P[2] = P[2] - c_2*gain_0;
@@ -328,6 +325,8 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     P[5] = P[5] - c_5*gain_0;
     P[6] = P[6] - c_6*gain_0;
     P[7] = P[7] - c_7*gain_0;
+    state->v_star = state->v_star + gain_0*innovation;
+    const bicycle_small_population_real gain_1 = c_1*inv_spread;
     P[8] = P[8] - c_1*gain_1;
     P[9] = P[9] - c_2*gain_1;
     P[10] = P[10] - c_3*gain_1;
@@ -335,20 +334,21 @@ SIMILITUDE_PART void bicycle_small_population_correct(
     P[12] = P[12] - c_5*gain_1;
     P[13] = P[13] - c_6*gain_1;
     P[14] = P[14] - c_7*gain_1;
+    state->r_star = state->r_star + gain_1*innovation;
+    const bicycle_small_population_real gain_2 = c_2*inv_spread;
     P[15] = P[15] - c_2*gain_2;
     P[16] = P[16] - c_3*gain_2;
     P[17] = P[17] - c_4*gain_2;
     P[18] = P[18] - c_5*gain_2;
     P[19] = P[19] - c_6*gain_2;
     P[20] = P[20] - c_7*gain_2;
+    state->disturbance = state->disturbance + gain_2*innovation;
+    const bicycle_small_population_real gain_7 = c_7*inv_spread;
     P[25] = P[25] - c_3*gain_7;
     P[29] = P[29] - c_4*gain_7;
     P[32] = P[32] - c_5*gain_7;
     P[34] = P[34] - c_6*gain_7;
     P[35] = P[35] - c_7*gain_7;
-    state->v_star = state->v_star + gain_0*innovation;
-    state->r_star = state->r_star + gain_1*innovation;
-    state->disturbance = state->disturbance + gain_2*innovation;
     state->output_bias = state->output_bias + gain_7*innovation;
 }
 
@@ -684,7 +684,7 @@ SIMILITUDE_INLINE int bicycle_small_population_advance(const bicycle_small_popul
                     status = 1;
                 }
             }
-            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, c_7, c_3, innovation);
+            bicycle_small_population_correct(state, output_scale, inv_spread, c_1, c_3, c_7, innovation);
             if (state->turn <= R(0.0)) { /* one for three samples */
                 const bicycle_small_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
                 const bicycle_small_population_real seen = ((R(9.0)*expected) < (P[15] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[15] + (state->disturbance*state->disturbance)); /* and seen */

@@ -57,6 +57,7 @@ def predict(
     *,
     decay: Mapping[int, sp.Expr],
     noise: Mapping[int, sp.Expr],
+    beside: Callable[[int, Mapping[int, sp.Symbol]], list[Assign]] = lambda j, FP: [],
 ) -> list[Assign]:
     """P <- F P F' + Q.
 
@@ -66,16 +67,19 @@ def predict(
     shared : further columns of the dense rows, proportional to one another.
     decay : index -> diagonal entry of F for slow states that decay; one where absent.
     noise : index -> variance added [coordinate^2].
+    beside : what else is worked out of a column of P and {dense row: F P}, both before the step.
     """
     FP = {(i, j): sp.Symbol(f"FP_{i}_{j}", real=True) for i in rows for j in range(P.n)}
     slow = [j for j in range(P.n) if j not in rows]
     lines = [line for j in rows for line in _times(P, rows, shared, FP, j)]
+    lines += [line for j in rows for line in beside(j, {i: FP[i, j] for i in rows})]
     dense = [(i, j) for i in rows for j in rows if j >= i]
     for i, j in dense:
         full = sp.Add(*(FP[i, k] * e for k, e in rows[j].items() if k in rows))
         lines.append(Assign(P.target(i, j), full + (noise.get(i, 0) if i == j else 0)))
     for k in slow:  # in place, one column after the other, so that few values wait
         lines += _times(P, rows, shared, FP, k)
+        lines += beside(k, {i: FP[i, k] for i in rows})
         lines += [Assign(P.target(i, k), FP[i, k] * decay.get(k, 1)) for i in rows]
         if any(k in row for row in rows.values()):
             lines += [Assign(P.target(i, j), P[i, j] + FP[i, k] * rows[j].get(k, 0)) for i, j in dense]
@@ -124,14 +128,12 @@ def reduce_by(
     gains: Mapping[int, sp.Symbol],
     order: Mapping[int, int],
     prefix: str,
-    of: Callable[[int], bool] = lambda order: True,
 ) -> list[Assign]:
     """Joseph's update where every gain is the optimal one or zero: P_ij -= g c_i c_j / S.
 
     With gains K_i = g_i c_i/S, g_i in {0, 1}, Joseph's P_ij - K_i c_j - c_i K_j + K_i K_j S is
     P_ij - max(g_i, g_j) c_i c_j/S. ``order`` ranks the gains by how often they are zero: a gain of
     higher order is zero wherever one of lower order is. Coordinates without a gain are considered.
-    ``of`` tells by the order of an entry's gain whether the entry is wanted.
     """
     lines = []
     for i in range(P.n):
@@ -141,7 +143,6 @@ def reduce_by(
                 continue
             first = min(able, key=lambda k: order[k])
             other = j if first == i else i
-            if of(order[first]):
-                reduced = P[i, j] - gains[first] * sp.Symbol(f"{prefix}_{other}", real=True)
-                lines.append(Assign(P.target(i, j), reduced))
+            reduced = P[i, j] - gains[first] * sp.Symbol(f"{prefix}_{other}", real=True)
+            lines.append(Assign(P.target(i, j), reduced))
     return lines

@@ -19,7 +19,8 @@ import sympy as sp
 from similitude.groups import Groups, reparameterize
 from similitude.model import Quantity
 from similitude.reduction import Reduction, Unknown
-from similitude.systems.bicycle import Iz, L, U, a, b, m
+from similitude.systems import bicycle
+from similitude.systems.bicycle import BICYCLE, Iz, L, U, a, b, bicycle_reduction, m
 from similitude.systems.saturating_bicycle import (
     SATURATING_BICYCLE,
     Ff,
@@ -27,7 +28,7 @@ from similitude.systems.saturating_bicycle import (
     saturating_bicycle_reduction,
 )
 
-ahead, bank, push, place = sp.symbols("ahead bank push place", real=True)
+ahead, bank, push, place, lead = sp.symbols("ahead bank push place lead", real=True)
 pi1 = sp.Symbol("pi1", real=True)
 
 BICYCLE_WITH_ACCELEROMETER = replace(
@@ -71,5 +72,31 @@ def bicycle_with_accelerometer_reduction() -> Reduction:
             "pi8": bank * L / U**2,
             "pi9": push * L / U**2,
         },
+        live=plain.live,
+    )
+
+
+LINEAR_WITH_ACCELEROMETER = replace(
+    BICYCLE,
+    name="bicycle_with_accelerometer",
+    parameters=(*BICYCLE.parameters, Quantity("ahead", "m", "accelerometer ahead of the centre of gravity")),
+    outputs=(*BICYCLE.outputs, Quantity("ay", "m/s^2", "lateral acceleration")),
+    output_map={
+        **BICYCLE.output_map,
+        "ay": (bicycle.Ff + bicycle.Fr) / m + ahead * (a * bicycle.Ff - b * bicycle.Fr) / Iz,
+    },
+)
+
+
+def small_accelerometer_reduction() -> Reduction:
+    """The same for small parts: linear tyres, and the bias of ay stands for what bank and wind do to it."""
+    plain = bicycle_reduction()
+    return Reduction(
+        groups=reparameterize(LINEAR_WITH_ACCELEROMETER, base=("m", "L", "U")),
+        unknowns=(
+            *plain.unknowns,
+            Unknown("lead", "-", "linear", "consider", "accelerometer ahead of the centre of gravity over L"),
+        ),
+        substitution={**plain.substitution, "pi6": lead},
         live=plain.live,
     )
