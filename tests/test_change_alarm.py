@@ -37,7 +37,7 @@ def test_the_state_taken_up_is_the_state_left():
     state = None
     for rows in (slice(0, half), slice(half, None)):
         log = done.setup.log
-        part = type(log)(**{**vars(log), **{n: getattr(log, n)[rows] for n in ("t", "delta", "r", "U")}})
+        part = replace(log, **{n: getattr(log, n)[rows] for n in ("t", "delta", "r", "U")})
         step = None if state is None else float(log.t[half] - log.t[half - 1])
         setup = replace(done.setup, log=part, first_step=step)
         one = type(done)(setup, done.config, done.state, done.outputs[rows], done.status[rows])

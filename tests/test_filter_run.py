@@ -1,12 +1,13 @@
 """One pass over a log: what the step is fed, and what can be read off afterwards."""
 
 import dataclasses
+import threading
 
 import numpy as np
 import pytest
 
 from similitude.filter_config import DESIGN
-from similitude.filter_run import BRIDGED, coordinates, population_setup
+from similitude.filter_run import BRIDGED, FEW, coordinates, population_setup, side_by_side
 from similitude.status import STATUS
 from similitude.unit import parse_unit
 
@@ -153,3 +154,11 @@ def scaled_design(s):
         powers = parse_unit(units[name]).dimension.exponents
         scaled[name] = value * s ** (float(powers.get("length", 0)) + float(powers.get("time", 0)) / 2)
     return scaled
+
+
+@pytest.mark.parametrize("rows", [FEW - 1, FEW])
+def test_passes_are_handed_back_in_their_order_by_threads_or_without(rows):
+    here = threading.get_ident()
+    found = side_by_side([lambda i=i: (i, threading.get_ident()) for i in range(5)], rows=rows)
+    assert [i for i, _ in found] == [0, 1, 2, 3, 4]
+    assert all((where == here) == (rows < FEW) for _, where in found)

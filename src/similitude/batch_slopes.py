@@ -64,7 +64,7 @@ def slopes(
         moved = whiten(frozen, at, s, rows=rows if same else None, **given)
         return np.where((moved.weight > 0) & (now.weight > 0), moved.e - now.e, 0.0) / STEP[i]
 
-    return np.column_stack(side_by_side([lambda i=i: column(i) for i in range(6)]))
+    return np.column_stack(side_by_side([lambda i=i: column(i) for i in range(6)], rows=len(rows)))
 
 
 def steered_slopes(
@@ -90,7 +90,7 @@ def fit_scales(
     tries: list[Callable[[], Whitened]] = [
         lambda i=i: whiten(frozen, x, s + SCALE_STEP * np.eye(2)[i], rows=rows) for i in range(2)
     ]
-    moved = side_by_side(tries)
+    moved = side_by_side(tries, rows=len(rows))
     e_slope = np.column_stack([m.e - now.e for m in moved]) / SCALE_STEP
     S_slope = np.column_stack([np.log(m.S / now.S) for m in moved]) / SCALE_STEP
     used = now.weight > 0

@@ -29,6 +29,7 @@ WITH_ACCELEROMETER = "bicycle_with_accelerometer_population"
 LINEAR = "bicycle_population"  # the same with linear tyres: the whole-log fit's, and the average car's
 BRIDGED = 0.1  # s: hands on a wheel do little in between
 WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
+FEW = 4000  # rows: two milliseconds of the filter
 Found = TypeVar("Found")
 
 
@@ -51,9 +52,8 @@ class Setup:
     @cached_property
     def dt(self) -> NDArray[np.float64]:
         """Time since the row before, (n,) [s]; the median step for the first row of all."""
-        steps = np.diff(self.log.t)
-        first = np.median(steps) if self.first_step is None else self.first_step
-        return np.concatenate([[first], steps])
+        first = self.log.usual_step if self.first_step is None else self.first_step
+        return np.concatenate([[first], self.log.steps])
 
     @cached_property
     def usual_step(self) -> float:
@@ -79,9 +79,10 @@ class Setup:
         before = t[:0] if self.servo.is_none else there[there + self.lag < t[0]] + self.lag
         at = np.concatenate([before, t])
         acting = self.servo.follow(at, np.interp(at - self.lag, there, angle))[before.size :]
-        wide = np.diff(there) > max(BRIDGED, 3 * self.usual_step)
-        if not wide.any():
+        gaps = np.diff(there)
+        if not (gaps > BRIDGED).any():
             return acting
+        wide = gaps > max(BRIDGED, 3 * self.usual_step)
         before = np.clip(np.searchsorted(there, t - self.lag), 1, there.size - 1) - 1
         return np.where(wide[before], np.nan, acting)
 
@@ -177,7 +178,12 @@ def population_setup(log: Log, prior: Prior, **known: float) -> Setup:
     return Setup(log, shipped(POPULATION), prior, **known)
 
 
-def side_by_side(passes: Sequence[Callable[[], Found]]) -> list[Found]:
-    """Results of independent passes, in the order given, `WORKERS` of them at a time."""
+def side_by_side(passes: Sequence[Callable[[], Found]], *, rows: int = FEW) -> list[Found]:
+    """Results of independent passes, in the order given, `WORKERS` of them at a time.
+
+    Passes over fewer than `FEW` rows are done one after another: each takes less than a thread does.
+    """
+    if rows < FEW:
+        return [one() for one in passes]
     with ThreadPoolExecutor(WORKERS) as pool:
         return [each.result() for each in [pool.submit(one) for one in passes]]

@@ -49,7 +49,7 @@ class Rung:
     @property
     def sample_time(self) -> float:
         """Median step of the log [s]."""
-        return float(np.median(np.diff(self.setup.log.t)))
+        return self.setup.log.usual_step
 
     def samples(self) -> NDArray[np.float64]:
         """Rows for the step, (n, 4)."""

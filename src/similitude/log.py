@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -63,10 +64,20 @@ class Log:
         """Time from the first row to the last [s]."""
         return float(self.t[-1] - self.t[0])
 
+    @cached_property
+    def steps(self) -> np.ndarray:
+        """Time from each row to the next, (n - 1,) [s]."""
+        return np.diff(self.t)
+
+    @cached_property
+    def usual_step(self) -> float:
+        """Their median [s]; asked for in every pass over the log."""
+        return float(np.median(self.steps))
+
     @property
     def rate(self) -> float:
         """Rows a second, from the median step of time [Hz]."""
-        return float(1.0 / np.median(np.diff(self.t)))
+        return 1.0 / self.usual_step
 
 
 def read_log(

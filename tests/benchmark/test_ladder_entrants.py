@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from similitude.benchmark.ladder_entrants import ladder, prepared
+from similitude.benchmark.ladder_entrants import _fitted_lag, ladder, prepared
 from similitude.benchmark.scoring import unfit
 
 from .linear_drive import linear_drive
@@ -60,3 +60,12 @@ def test_a_late_yaw_rate_is_found_in_the_seconds_that_are_not_judged():
     more = found.chosen - plain.chosen  # 40 ms, each lag with its sd
     assert abs(more - 0.04) < 3 * np.hypot(plain.std, found.std)
     assert prepared(late.until(30.0)).scan.chosen == found.chosen
+
+
+def test_the_lag_is_fitted_once_for_a_drive_and_its_part():
+    drive, _ = linear_drive(seed=5)
+    before = _fitted_lag.cache_info().misses
+    whole, part = prepared(drive).scan, prepared(drive.until(50.0)).scan
+
+    assert whole is part and _fitted_lag.cache_info().misses == before + 1
+    assert prepared(replace(drive, r=drive.r * 1.01)).scan is not whole

@@ -1,5 +1,7 @@
 """Evidence: a change is found and sized, what is none gathers nothing."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -77,7 +79,7 @@ def test_one_wild_reading_is_no_change():
     log = drive(seconds=60, rms=0.006)
     r = log.r.copy()
     r[3000:6000:37] += 0.4  # rad/s
-    spoilt = type(log)(**{**vars(log), "r": r})
+    spoilt = replace(log, r=r)
     done = population_setup(spoilt, CAR, L=TRUTH["L"], noise_std=NOISE, input_scale_sd=0.02).run()
 
     assert watch(done).alarms == ()

@@ -40,20 +40,25 @@ MOTION = 1e-4  # (rad/s)^2 a second of the motion that no model has
 
 def nine_state(drive: Drive) -> Answer:
     """Run openpilot's nine-state filter."""
+    from scipy.linalg.lapack import dgesv
+
     t, delta, r, U = thinned(drive)
     moved = _motion(*_mean_car(drive))
     x = np.array([1.0, RATIO, 0, 0, U[0], 0, 0, RATIO * delta[0], 0])
-    P, process = np.diag(PROCESS), np.diag(PROCESS)
+    P = np.diag(PROCESS)
     noise = np.diag(np.square([drive.noise / math.sqrt(MEAN_OVER), *OBSERVED_SD]))
     K, sd = np.empty(t.size), np.empty(t.size)
     dt = float(t[1] - t[0])
-    for i in range(t.size):
+    process = np.diag(PROCESS) * dt
+    columns = (r.tolist(), (RATIO * delta).tolist(), U.tolist())
+    for i, (yaw, wheel, forward) in enumerate(zip(*columns, strict=True)):
         x, F = moved(x, dt)
-        P = F @ P @ F.T + process * dt
-        seen = np.array([r[i], RATIO * delta[i], U[i], 0.0, x[STEER_RATIO], x[STIFFNESS], 0.0])
+        P = F @ P @ F.T + process
+        # ratio and stiffness are observed as what they are taken for: nothing is missed
+        missed = np.array([yaw - x[YAW], wheel - x[WHEEL], forward - x[FORWARD], -x[FAST], 0, 0, -x[ROLL]])
         cross = P[OBSERVED]
-        gain = np.linalg.solve(cross[:, OBSERVED] + noise, cross).T
-        x = x + gain @ (seen - x[OBSERVED])
+        gain = dgesv(cross[:, OBSERVED] + noise, cross)[2].T
+        x = x + gain @ missed
         P = P - gain @ cross
         K[i], sd[i] = START_K * x[STIFFNESS], START_K * math.sqrt(max(P[STIFFNESS, STIFFNESS], 0.0))
     return told(drive, t, K, sd)

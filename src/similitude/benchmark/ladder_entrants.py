@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from similitude.accelerometer import Accelerometer
 from similitude.benchmark.drives import AY_NOISE, Drive
@@ -31,11 +30,12 @@ from similitude.identify_setup import Prepared, whole_log, with_fitted_lag
 from similitude.ladder_passes import doubts, rung
 from similitude.log import Log
 from similitude.noise import SensorNoise
-from similitude.program.library import Library, shipped
+from similitude.program.library import shipped
 from similitude.steer_lag import MEASURED_LAG, LagScan
 from similitude.vehicle_prior import vehicle_prior
 from similitude.verdict import evidence, verdict
 
+Done = TypeVar("Done")
 SCAN = LagScan(np.empty(0), np.empty(0), MEASURED_LAG.value, "assumed", MEASURED_LAG.sd)
 
 
@@ -59,9 +59,29 @@ def prepared(drive: Drive) -> Prepared:
     They ask one after another: the lag is fitted for the first, and its time stands with that one.
     """
     ready = _of_measured(drive)
-    start = _of_measured(drive.until(drive.t[0] + SETTLING))
-    lag = with_fitted_lag(start, whole_log(start, start.setup.run())).scan
+    lag = _fitted_lag(_Start.of(drive.until(drive.t[0] + SETTLING)))
     return replace(ready, setup=ready.setup.with_lag(lag.chosen, MEASURED_STEER_SD), scan=lag)
+
+
+@dataclass(frozen=True)
+class _Start:
+    """The first seconds of a drive, which a drive that is cut later shares with the whole."""
+
+    rows: bytes
+    known: tuple[float, float]
+    drive: Drive = field(compare=False)
+
+    @classmethod
+    def of(cls, drive: Drive) -> _Start:
+        """The start that a drive is."""
+        rows = b"".join(x.tobytes() for x in (drive.t, drive.delta, drive.r, drive.U))
+        return cls(rows, (drive.L, drive.noise), drive)
+
+
+@lru_cache(maxsize=1)
+def _fitted_lag(start: _Start) -> LagScan:
+    ready = _of_measured(start.drive)
+    return with_fitted_lag(ready, whole_log(ready, ready.setup.run())).scan
 
 
 def _of_measured(drive: Drive) -> Prepared:
@@ -90,12 +110,13 @@ def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
         place = drive.vehicle.accelerometer
         setup = setup.with_accelerometer(Accelerometer(place.value, place.sd, AY_NOISE))
     lag, sd = ready.scan.chosen, ready.scan.std
-    lags = [lag, lag + sd, max(lag - sd, 0.0)]
-    done, later, earlier = side_by_side([setup.with_lag(one, MEASURED_STEER_SD).run for one in lags])
+    lags = [lag + sd, max(lag - sd, 0.0)]
+    done, seconds = _timed(setup.run)
+    later, earlier = side_by_side([setup.with_lag(one, MEASURED_STEER_SD).run for one in lags])
     spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2
     sd = np.hypot(np.sqrt(done.output("variance")), spread)
     trace = trace_of(done, done.output("estimate"), sd)
-    watched = watch(done)
+    watched, more = _timed(partial(watch, done))
     operations = done.setup.library.layout.OPERATIONS + shipped("bicycle_monitor").layout.OPERATIONS
     return Answer(
         K=trace.K,
@@ -103,21 +124,21 @@ def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
         alarms=[alarm.t for alarm in watched.alarms],
         identified=_identified(ready, trace, done, edges(done)),
         operations=operations,
-        step_seconds=_seconds(setup.run) + _seconds(partial(watch, done)),
+        step_seconds=seconds + more,
     )
 
 
 def _regression(name: str, drive: Drive) -> Answer:
     ready = prepared(drive)
     one = rung(name, ready.setup, ready.prior)
-    done = one.run()
+    done, seconds = _timed(one.run)
     sd = np.sqrt(sum(part**2 for part in doubts(done, ready.scan).values()))
     sd[np.cumsum(done.output("unknowns") > 0) == 0] = ready.prior.std[0]
     return Answer(
         K=done.output("estimate"),
         ln_K_std=sd,
         operations=one.library.layout.OPERATIONS,
-        step_seconds=_seconds(one.run),
+        step_seconds=seconds,
     )
 
 
@@ -135,7 +156,7 @@ def _paper(drive: Drive) -> Answer:
         **paper_design.PAPER_GROUPS,
     )
     state, rows = library.start(config), ready.setup.samples()
-    outputs, _ = library.run(config, state, rows)
+    (outputs, _), seconds = _timed(partial(library.run, config, state, rows))
     speed = float(state[library.index("state", "last_U")]) or 1.0
     pi3 = ready.prior.mean[0] / speed**2
     bias = predicted_bias(library, config, state, L=drive.L, noise_std=drive.noise, pi3=pi3)
@@ -144,7 +165,7 @@ def _paper(drive: Drive) -> Answer:
         K=outputs[:, library.index("output", "estimate")],
         ln_K_std=np.hypot(np.sqrt(outputs[:, library.index("output", "variance")]), off),
         operations=library.layout.OPERATIONS,
-        step_seconds=_seconds(partial(_again, library, config, rows)),
+        step_seconds=seconds,
     )
 
 
@@ -161,12 +182,7 @@ def _identified(ready: Prepared, trace: Any, done: Pass, at_limit: tuple[str, ..
     return verdict(seen)[0] == "identified"
 
 
-def _again(library: Library, config: NDArray[np.float64], rows: NDArray[np.float64]) -> None:
-    library.run(config, library.start(config), rows)
-
-
-def _seconds(loop: Callable[[], Any]) -> float:
-    """Time of one more run of a loop [s]."""
+def _timed(loop: Callable[[], Done]) -> tuple[Done, float]:
+    """What a loop over the rows returns, and its time [s]."""
     begun = time.perf_counter()
-    loop()
-    return time.perf_counter() - begun
+    return loop(), time.perf_counter() - begun

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
@@ -64,8 +65,8 @@ class Library:
         """
         flat: list[float] = []
         for name, unit, meaning, size in self.layout.CONFIG:
-            value = np.ravel(np.asarray(values.get(name, np.nan), dtype=float))
-            if value.size != size or not np.isfinite(value).all():
+            value = np.asarray(values.get(name, np.nan), dtype=float).ravel().tolist()
+            if len(value) != size or not all(map(math.isfinite, value)):
                 raise ProgramError(
                     f"{self.name}: configuration {name!r} [{unit}], {meaning}, needs {size} finite "
                     f"value(s), got {values.get(name)!r}",
@@ -73,7 +74,7 @@ class Library:
                     paste=f"values[{name!r}] = ...",
                     read='docs/architecture.md, "Step programs"',
                 )
-            flat += value.tolist()
+            flat += value
         unknown = sorted(set(values) - {row[0] for row in self.layout.CONFIG})
         if unknown:
             raise ProgramError(
@@ -88,7 +89,7 @@ class Library:
         """The flat state before the first sample."""
         if self.c is None:
             return np.array(self.layout.init(config.tolist()))
-        state = np.zeros(len(self.names("state")))
+        state = np.zeros(self._sizes["state"])
         getattr(self.c, f"{self.name}_init")(_pointer(config), _pointer(state))
         return state
 
