@@ -64,17 +64,14 @@ DESIGN = {
 }
 LIMIT_SD = 2.5  # of every slow unknown
 ACCELEROMETER = {
-    "bank_rate": 0.2,  # 1/s: a superelevated curve, the crown of a lane
-    "push_rate": 2.0,  # 1/s: a gust, a rut
-    "ay_bias_sd": 0.3,  # m/s^2: mounting, and the roll it always has
-    "ay_bias_drift": 2.5e-3,  # (m/s^2)^2/s
+    "ay_bias_sd": 0.436,  # m/s^2: mounting and roll that stays 0.3, a superelevated curve 0.3, wind 0.1
+    "ay_bias_drift": 0.0785,  # (m/s^2)^2/s: twice variance over correlation time, of bank 5 s, of wind 0.5 s
     "ay_share": 0.05,  # roll of the body adds gravity, 5 % of what it feels
     "ay_time": 0.1,  # s: vibration and filters
     "ay_noise_scale_low": 0.01,
     "ay_noise_scale_high": 100.0,
     "ay_limit": 60.0,  # m/s^2
 }
-BANK, PUSH = 0.3, 0.1  # m/s^2, sd: 3 % of superelevation, a crosswind of a motorway
 GRIP = (GRAVITY, 0.15)  # m/s^2, and sd of its logarithm: dry roads to good tyres; never printed
 LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
 ROOM = 0.5  # of ln K
@@ -149,12 +146,6 @@ def _with_accelerometer(
     further = {**ACCELEROMETER, "ay_variance": accelerometer.noise**2}
     behind, sd = accelerometer.behind / L, accelerometer.behind_sd / L
     if "place_prior" in names:
-        prior = prior.beside("place", "linear", behind, sd, "stated")
-        prior = prior.beside("bank", "linear", 0.0, BANK, "roads").beside("push", "linear", 0.0, PUSH, "wind")
-        return prior, further
-    centre = prior.mean[prior.names.index("pi1")]  # a small filter: ahead of it, and a bias that wanders
-    prior = prior.beside("lead", "linear", centre - behind, sd, "stated", as_of="pi1")
-    wandering = 2 * (further["bank_rate"] * BANK**2 + further["push_rate"] * PUSH**2)
-    further["ay_bias_sd"] = float(np.hypot(further["ay_bias_sd"], np.hypot(BANK, PUSH)))
-    further["ay_bias_drift"] += wandering
-    return prior, further
+        return prior.beside("place", "linear", behind, sd, "stated"), further
+    centre = prior.mean[prior.names.index("pi1")]  # a small filter: ahead of it
+    return prior.beside("lead", "linear", centre - behind, sd, "stated", as_of="pi1"), further

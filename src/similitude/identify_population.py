@@ -40,12 +40,7 @@ from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES
 from similitude.verdict import evidence, linear_doubts, verdict
 
-SIDEWAYS = {
-    "bank": "m/s^2",
-    "push": "m/s^2",
-    "ay_bias": "m/s^2",
-    "place": "-",
-}  # of the accelerometer's filter
+SIDEWAYS = {"ay_bias": "m/s^2", "place": "-"}  # of the accelerometer's filter
 
 
 def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = None) -> Run:

@@ -23,14 +23,13 @@ class Unknown:
 
     ``role``: ``identify`` (the first one: may change at any time), ``estimate`` (constant, learnt),
     ``seldom`` (constant, learnt from one sample in a while: what it trades against is learnt first),
-    ``consider`` (constant, kept at its prior while its uncertainty is carried along), ``wander`` (a
-    disturbance about its prior that every sample corrects).
+    ``consider`` (constant, kept at its prior while its uncertainty is carried along).
     """
 
     name: str
     unit: str
     kind: Literal["log", "linear"]
-    role: Literal["identify", "estimate", "seldom", "consider", "wander"]
+    role: Literal["identify", "estimate", "seldom", "consider"]
     meaning: str
 
     @property

@@ -15,7 +15,7 @@ def rows(library, struct):
 
 @pytest.mark.parametrize(
     "struct, beginnings",
-    [("CONFIG", ("ay_", "place", "bank", "push")), ("STATE", ("ay_", "place", "bank", "push"))],
+    [("CONFIG", ("ay_", "place")), ("STATE", ("ay_", "place"))],
 )
 def test_what_is_added_is_named_after_the_output_or_the_unknown(struct, beginnings):
     added = rows(WITH, struct).keys() - rows(WITHOUT, struct).keys()
@@ -31,7 +31,6 @@ def test_units_are_those_of_the_output():
     assert parse_unit(config["ay_variance"]).dimension == acceleration**2
     assert parse_unit(config["ay_bias_drift"]).dimension == acceleration**2 / parse_unit("s").dimension
     assert parse_unit(state["ay_bias"]).dimension == acceleration
-    assert parse_unit(config["bank_rate"]).dimension == parse_unit("1/s").dimension
 
 
 def test_the_measurement_is_the_last_of_the_sample():

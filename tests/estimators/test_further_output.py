@@ -34,10 +34,10 @@ def get(library, state, name):
     return state[library.index("state", name)]
 
 
-def test_without_the_measurement_and_without_bank_it_is_the_filter_without():
+def test_without_the_measurement_it_is_the_filter_without():
     """NaN and a reading beyond belief alike; the covariance of what is not there is zero."""
     rows = drive(seconds=20)
-    n = len(CAR.names) + 4
+    n = len(CAR.names) + 2
     P = np.zeros((n, n))
     P[:5, :5] = _prior_with_grip()
     still = config_of(WITH, P_prior=P[np.triu_indices(n)])
@@ -67,7 +67,7 @@ def settled():
     config = config_of(WITH)
     state = WITH.start(config)
     WITH.run(config, state, rows[:1100])
-    for name in ("disturbance", "input_offset", "input_offset_plain", "bank", "push"):
+    for name in ("disturbance", "input_offset", "input_offset_plain"):
         state[WITH.index("state", name)] = 0.0
     for name in ("v_star", "r_star"):  # sensitivities are taken along the companion: let it be the state
         state[WITH.index("state", f"{name}_plain")] = get(WITH, state, name)
@@ -98,7 +98,7 @@ def predicted_ay(config, state, row):
     )
     inertia = at["rho"] * a * b
     ahead = (at["pi1"] - at["place"]) * L
-    return Ff + Fr + at["push"] + ahead * (a * Ff - b * Fr) / inertia + at["ay_bias"]
+    return Ff + Fr + ahead * (a * Ff - b * Fr) / inertia + at["ay_bias"]
 
 
 def _saturated(x):

@@ -37,10 +37,8 @@ dt = S("dt")
 def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -> list[Statement]:
     """Covariance over one step, and the pull of the first unknown towards its prior."""
     entries, propagated = propagation(layout, step, ratios, slow_noise(layout))
-    prior = {n: S(f"{n}_prior") for n in layout.wandering}
     return [
         Assign("keep_w", sp.Max(0, 1 - dt * S("disturbance_rate"))),
-        *(Assign(f"keep_{n}", sp.Max(0, 1 - dt * S(f"{n}_rate"))) for n in layout.wandering),
         Assign("w_nominal", disturbance_variance(layout), "nominal variance of the disturbance"),
         Assign("move", sp.Integer(0)),
         Assign("diffusion", quiet_drift(), "a jump that could not have shown may have come"),
@@ -53,7 +51,6 @@ def time_update(layout: Layout, step: ImplicitStep, ratios: Sequence[sp.Expr]) -
         *entries,
         *as_part("propagate", propagated),
         Assign(DISTURBANCE, S("keep_w") * S(DISTURBANCE)),
-        *(Assign(n, x0 + S(f"keep_{n}") * (S(n) - x0)) for n, x0 in prior.items()),
     ]
 
 
@@ -84,8 +81,8 @@ def propagation(
         {at[name]: weight for name, weight in weights if name in at},
         {at[name]: step.by_parameter["u"][i] for i, name in enumerate(layout.fast)},
     )
-    decay = {at[DISTURBANCE]: S("keep_w")} | {at[n]: S(f"keep_{n}") for n in layout.wandering}
     noise = {at[DISTURBANCE]: added, **slow}
+    decay = {at[DISTURBANCE]: S("keep_w")}
     return entries, predict(layout.covariance, rows, shared, decay=decay, noise=noise, beside=beside)
 
 
@@ -95,14 +92,8 @@ def slow_noise(layout: Layout) -> dict[int, sp.Expr]:
     return {
         at[layout.target]: dt * (S("diffusion") + S("jump_drift") * S("jump")),
         **{at[f"{q.name}_bias"]: S(f"{q.name}_bias_drift") * dt for q in layout.further},
-        **{at[n]: _prior_variance(layout, n) * (1 - S(f"keep_{n}") ** 2) for n in layout.wandering},
         **({at[BIAS]: S("bias_drift") * dt} if BIAS in at else {}),
     }
-
-
-def _prior_variance(layout: Layout, name: str) -> sp.Symbol:
-    i = layout.unknowns.index(name)
-    return layout.prior[i, i]
 
 
 def pull(layout: Layout) -> list[Statement]:
@@ -328,7 +319,7 @@ def weights(layout: Layout, rows: Iterable[int], learn: str = "learn") -> dict[i
     """Index -> name of what the innovation counts with for that coordinate."""
     names = layout.coordinates
     weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: learn}
-    weight |= dict.fromkeys(layout.seldom, "learn_seldom") | dict.fromkeys(layout.wandering, "inv_spread")
+    weight |= dict.fromkeys(layout.seldom, "learn_seldom")
     return {i: weight.get(names[i], "inv_spread") for i in rows}
 
 

@@ -14,7 +14,6 @@ from similitude.estimators.further_fields import (
     further_config,
     further_sample,
     further_state,
-    wandering_config,
 )
 from similitude.model import Quantity
 from similitude.program.ir import Field
@@ -83,11 +82,6 @@ class Layout:
     def seldom(self) -> tuple[str, ...]:
         """Unknowns that are learnt from one sample in a while."""
         return tuple(u.name for u in self.reduction.unknowns if u.role == "seldom")
-
-    @property
-    def wandering(self) -> tuple[str, ...]:
-        """Unknowns that wander about their prior, corrected by every sample."""
-        return tuple(u.name for u in self.reduction.unknowns if u.role == "wander")
 
     @property
     def covariance(self) -> Symmetric:
@@ -236,7 +230,6 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         ),
         Field("validity_limit", _validity_unit(layout), "edge of the model's linear range"),
         Field("validity_rate", "1/s", "decay rate of the memory of a visit outside the linear range"),
-        *(wandering_config(u) for u in layout.reduction.unknowns if u.name in layout.wandering),
         *(field for q in layout.further for field in further_config(q)),
     )
 

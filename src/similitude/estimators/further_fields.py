@@ -1,4 +1,4 @@
-"""Fields of a population filter for outputs measured besides the first, and for unknowns that wander.
+"""Fields of a population filter for outputs measured besides the first.
 
 measured = model's output + bias        noise of each sample alike for ``time``, a share of the output in it
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from similitude.model import Quantity
 from similitude.program.ir import Field
-from similitude.reduction import Unknown
 
 
 def further_config(q: Quantity) -> tuple[Field, ...]:
@@ -60,8 +59,3 @@ def further_variables(q: Quantity, *, lean: bool) -> tuple[Field, ...]:
         Field(f"{n}_after", f"1/({unit})", f"what the first output has said of {n}"),
         Field(f"{n}_odd", "-", f"by how much {n} is not as expected"),
     )
-
-
-def wandering_config(unknown: Unknown) -> Field:
-    """How fast a wandering unknown forgets."""
-    return Field(f"{unknown.name}_rate", "1/s", f"1/correlation time of {unknown.meaning}")

@@ -138,8 +138,7 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
 def _leave(layout: Layout, n: str) -> dict[str, str]:
     """Coordinate -> the weight its gain is taken with, where it is not that of every sample."""
     leave = dict.fromkeys((*layout.unknowns, INPUT_SCALE), f"{n}_learn_slow")
-    leave |= dict.fromkeys(layout.seldom, f"{n}_learn_seldom") | {layout.target: f"{n}_learn"}
-    return {name: weight for name, weight in leave.items() if name not in layout.wandering}
+    return leave | dict.fromkeys(layout.seldom, f"{n}_learn_seldom") | {layout.target: f"{n}_learn"}
 
 
 def _moves(layout: Layout, n: str, gains: Mapping[int, sp.Symbol]) -> list[Assign]:

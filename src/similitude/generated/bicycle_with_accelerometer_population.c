@@ -1,12 +1,12 @@
 /* Population filter of the bicycle_with_accelerometer. Generated from its model by similitude; do not edit.
  *
- *   model: bicycle_with_accelerometer, Brennan & Alleyne 2004, eqs 1-4, with saturating tyres, bank and wind
+ *   model: bicycle_with_accelerometer, Brennan & Alleyne 2004, eqs 1-4, with saturating tyres
  *   base: m, L, U
- *   unknowns: K, pi1, eta, rho, grip, place, bank, push
- *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, bank, push, input_scale, input_offset, output_bias, ay_bias
+ *   unknowns: K, pi1, eta, rho, grip, place
+ *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 2996 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 157 reals, configuration 117 reals; no heap, no globals, no libm, C99.
+ * Operations: step 2467 at most, 7 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 126 reals, configuration 94 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -66,9 +66,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real rho_prior; /* [-] prior of Iz/(m a b), yaw inertia ratio */
     bicycle_with_accelerometer_population_real grip_prior; /* [m/s^2] prior of mu g, greatest lateral acceleration */
     bicycle_with_accelerometer_population_real place_prior; /* [-] prior of accelerometer behind the front axle over L */
-    bicycle_with_accelerometer_population_real bank_prior; /* [m/s^2] prior of lateral part of gravity on a banked road */
-    bicycle_with_accelerometer_population_real push_prior; /* [m/s^2] prior of force of the wind per mass */
-    bicycle_with_accelerometer_population_real P_prior[36]; /* [-] prior covariance of the unknowns' coordinates, upper triangle */
+    bicycle_with_accelerometer_population_real P_prior[21]; /* [-] prior covariance of the unknowns' coordinates, upper triangle */
     bicycle_with_accelerometer_population_real prior_information; /* [-] 1/prior variance of ln K */
     bicycle_with_accelerometer_population_real K_low; /* [m^2/s^2] lowest value the population allows */
     bicycle_with_accelerometer_population_real K_high; /* [m^2/s^2] highest value the population allows */
@@ -82,10 +80,6 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real grip_high; /* [m/s^2] highest value the population allows */
     bicycle_with_accelerometer_population_real place_low; /* [-] lowest value the population allows */
     bicycle_with_accelerometer_population_real place_high; /* [-] highest value the population allows */
-    bicycle_with_accelerometer_population_real bank_low; /* [m/s^2] lowest value the population allows */
-    bicycle_with_accelerometer_population_real bank_high; /* [m/s^2] highest value the population allows */
-    bicycle_with_accelerometer_population_real push_low; /* [m/s^2] lowest value the population allows */
-    bicycle_with_accelerometer_population_real push_high; /* [m/s^2] highest value the population allows */
     bicycle_with_accelerometer_population_real input_scale_sd; /* [-] sd of the scale of delta, also that of the known scales */
     bicycle_with_accelerometer_population_real input_scale_low; /* [-] least scale of delta */
     bicycle_with_accelerometer_population_real input_scale_high; /* [-] greatest scale of delta */
@@ -131,8 +125,6 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real signal_limit; /* [m/s] greatest believable scale */
     bicycle_with_accelerometer_population_real validity_limit; /* [m/s^2] edge of the model's linear range */
     bicycle_with_accelerometer_population_real validity_rate; /* [1/s] decay rate of the memory of a visit outside the linear range */
-    bicycle_with_accelerometer_population_real bank_rate; /* [1/s] 1/correlation time of lateral part of gravity on a banked road */
-    bicycle_with_accelerometer_population_real push_rate; /* [1/s] 1/correlation time of force of the wind per mass */
     bicycle_with_accelerometer_population_real ay_bias_sd; /* [m/s^2] prior sd of the bias of ay */
     bicycle_with_accelerometer_population_real ay_bias_drift; /* [(m/s^2)^2/s] random walk of the bias of ay */
     bicycle_with_accelerometer_population_real ay_variance; /* [(m/s^2)^2] white noise of ay a sample */
@@ -156,15 +148,13 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real rho;  /* [-] Iz/(m a b), yaw inertia ratio */
     bicycle_with_accelerometer_population_real grip; /* [m/s^2] mu g, greatest lateral acceleration */
     bicycle_with_accelerometer_population_real place; /* [-] accelerometer behind the front axle over L */
-    bicycle_with_accelerometer_population_real bank; /* [m/s^2] lateral part of gravity on a banked road */
-    bicycle_with_accelerometer_population_real push; /* [m/s^2] force of the wind per mass */
     bicycle_with_accelerometer_population_real input_scale; /* [-] delta that acts over delta measured */
     bicycle_with_accelerometer_population_real input_offset; /* [rad] offset of delta */
     bicycle_with_accelerometer_population_real output_bias; /* [rad/s] bias of r */
     bicycle_with_accelerometer_population_real ay_bias; /* [m/s^2] bias of ay */
     bicycle_with_accelerometer_population_real ay_activity; /* [(m/s^2)^2] mean square of ay predicted */
     bicycle_with_accelerometer_population_real ay_noise_scale; /* [-] noise variance of ay against nominal */
-    bicycle_with_accelerometer_population_real P[120]; /* [-] covariance of the coordinates above, upper triangle by rows */
+    bicycle_with_accelerometer_population_real P[91]; /* [-] covariance of the coordinates above, upper triangle by rows */
     bicycle_with_accelerometer_population_real noise_scale; /* [-] noise variance against nominal */
     bicycle_with_accelerometer_population_real disturbance_scale; /* [-] disturbance variance against nominal */
     bicycle_with_accelerometer_population_real activity; /* [(rad/s)^2] mean square of the predicted output */
@@ -204,8 +194,6 @@ typedef struct bicycle_with_accelerometer_population_output {
     bicycle_with_accelerometer_population_real rho_now; /* [-] Iz/(m a b), yaw inertia ratio */
     bicycle_with_accelerometer_population_real grip_now; /* [m/s^2] mu g, greatest lateral acceleration */
     bicycle_with_accelerometer_population_real place_now; /* [-] accelerometer behind the front axle over L */
-    bicycle_with_accelerometer_population_real bank_now; /* [m/s^2] lateral part of gravity on a banked road */
-    bicycle_with_accelerometer_population_real push_now; /* [m/s^2] force of the wind per mass */
     bicycle_with_accelerometer_population_real offset_now; /* [rad] offset of delta */
     bicycle_with_accelerometer_population_real bias_now; /* [rad/s] bias of r */
     bicycle_with_accelerometer_population_real noise_now; /* [(rad/s)^2] variance of the measurement */
@@ -217,7 +205,7 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
     int i;
-    for (i = 0; i < 120; ++i) {
+    for (i = 0; i < 91; ++i) {
         P[i] = R(0.0);
     }
     state->v_star = R(0.0);
@@ -231,59 +219,42 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->rho = config->rho_prior;
     state->grip = config->grip_prior;
     state->place = config->place_prior;
-    state->bank = config->bank_prior;
-    state->push = config->push_prior;
     state->input_scale = R(1.0);
     state->input_offset = R(0.0);
     state->output_bias = R(0.0);
     P[0] = (config->v_star_sd*config->v_star_sd);
-    P[15] = (config->r_star_sd*config->r_star_sd);
-    P[110] = (config->input_scale_sd*config->input_scale_sd);
-    P[114] = (config->input_offset_sd*config->input_offset_sd);
-    P[117] = (config->output_bias_sd*config->output_bias_sd);
-    P[119] = (config->ay_bias_sd*config->ay_bias_sd);
-    P[42] = config->P_prior[0];
-    P[43] = config->P_prior[1];
-    P[44] = config->P_prior[2];
-    P[45] = config->P_prior[3];
-    P[46] = config->P_prior[4];
-    P[47] = config->P_prior[5];
-    P[48] = config->P_prior[6];
-    P[49] = config->P_prior[7];
-    P[54] = config->P_prior[8];
-    P[55] = config->P_prior[9];
-    P[56] = config->P_prior[10];
-    P[57] = config->P_prior[11];
-    P[58] = config->P_prior[12];
-    P[59] = config->P_prior[13];
-    P[60] = config->P_prior[14];
-    P[65] = config->P_prior[15];
-    P[66] = config->P_prior[16];
-    P[67] = config->P_prior[17];
-    P[68] = config->P_prior[18];
-    P[69] = config->P_prior[19];
-    P[70] = config->P_prior[20];
-    P[75] = config->P_prior[21];
-    P[76] = config->P_prior[22];
-    P[77] = config->P_prior[23];
-    P[78] = config->P_prior[24];
-    P[79] = config->P_prior[25];
-    P[84] = config->P_prior[26];
-    P[85] = config->P_prior[27];
-    P[86] = config->P_prior[28];
-    P[87] = config->P_prior[29];
-    P[92] = config->P_prior[30];
-    P[93] = config->P_prior[31];
-    P[94] = config->P_prior[32];
-    P[99] = config->P_prior[33];
-    P[100] = config->P_prior[34];
-    P[105] = config->P_prior[35];
+    P[13] = (config->r_star_sd*config->r_star_sd);
+    P[81] = (config->input_scale_sd*config->input_scale_sd);
+    P[85] = (config->input_offset_sd*config->input_offset_sd);
+    P[88] = (config->output_bias_sd*config->output_bias_sd);
+    P[90] = (config->ay_bias_sd*config->ay_bias_sd);
+    P[36] = config->P_prior[0];
+    P[37] = config->P_prior[1];
+    P[38] = config->P_prior[2];
+    P[39] = config->P_prior[3];
+    P[40] = config->P_prior[4];
+    P[41] = config->P_prior[5];
+    P[46] = config->P_prior[6];
+    P[47] = config->P_prior[7];
+    P[48] = config->P_prior[8];
+    P[49] = config->P_prior[9];
+    P[50] = config->P_prior[10];
+    P[55] = config->P_prior[11];
+    P[56] = config->P_prior[12];
+    P[57] = config->P_prior[13];
+    P[58] = config->P_prior[14];
+    P[63] = config->P_prior[15];
+    P[64] = config->P_prior[16];
+    P[65] = config->P_prior[17];
+    P[70] = config->P_prior[18];
+    P[71] = config->P_prior[19];
+    P[76] = config->P_prior[20];
     state->noise_scale = R(1.0);
     state->surprise = R(1.0);
     state->settling = R(1.0);
     state->disturbance_scale = config->disturbance_scale_start;
     state->ay_noise_scale = R(1.0);
-    P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+    P[25] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
     state->restlessness = R(0.0);
     state->jump = R(0.0);
     state->heard = R(0.0);
@@ -309,176 +280,129 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_propagate(
         const bicycle_with_accelerometer_population_sample *sample,
         const bicycle_with_accelerometer_population_real steer,
         const bicycle_with_accelerometer_population_real F_v_star_K,
-        const bicycle_with_accelerometer_population_real F_v_star_bank,
         const bicycle_with_accelerometer_population_real F_v_star_eta,
         const bicycle_with_accelerometer_population_real F_v_star_grip,
         const bicycle_with_accelerometer_population_real F_v_star_pi1,
         const bicycle_with_accelerometer_population_real F_v_star_place,
-        const bicycle_with_accelerometer_population_real F_v_star_push,
         const bicycle_with_accelerometer_population_real F_v_star_r_star,
         const bicycle_with_accelerometer_population_real F_v_star_rho,
         const bicycle_with_accelerometer_population_real F_v_star_u,
         const bicycle_with_accelerometer_population_real F_v_star_v_star,
         const bicycle_with_accelerometer_population_real F_r_star_K,
-        const bicycle_with_accelerometer_population_real F_r_star_bank,
         const bicycle_with_accelerometer_population_real F_r_star_eta,
         const bicycle_with_accelerometer_population_real F_r_star_grip,
         const bicycle_with_accelerometer_population_real F_r_star_pi1,
         const bicycle_with_accelerometer_population_real F_r_star_place,
-        const bicycle_with_accelerometer_population_real F_r_star_push,
         const bicycle_with_accelerometer_population_real F_r_star_r_star,
         const bicycle_with_accelerometer_population_real F_r_star_rho,
         const bicycle_with_accelerometer_population_real F_r_star_u,
         const bicycle_with_accelerometer_population_real F_r_star_v_star,
         const bicycle_with_accelerometer_population_real keep_w,
-        const bicycle_with_accelerometer_population_real keep_bank,
-        const bicycle_with_accelerometer_population_real keep_push,
         const bicycle_with_accelerometer_population_real w_nominal,
         const bicycle_with_accelerometer_population_real diffusion)
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
-    const bicycle_with_accelerometer_population_real PW_0 = P[12] + P[2] + P[11]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_bank*P[9] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4] + F_v_star_place*P[8] + F_v_star_push*P[10] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
-    const bicycle_with_accelerometer_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_bank*P[9] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4] + F_r_star_place*P[8] + F_r_star_push*P[10] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
-    const bicycle_with_accelerometer_population_real PW_1 = P[16] + P[26] + P[25]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_1 = F_v_star_K*P[17] + F_v_star_bank*P[23] + F_v_star_eta*P[19] + F_v_star_grip*P[21] + F_v_star_pi1*P[18] + F_v_star_place*P[22] + F_v_star_push*P[24] + F_v_star_r_star*P[15] + F_v_star_rho*P[20] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
-    const bicycle_with_accelerometer_population_real FP_1_1 = F_r_star_K*P[17] + F_r_star_bank*P[23] + F_r_star_eta*P[19] + F_r_star_grip*P[21] + F_r_star_pi1*P[18] + F_r_star_place*P[22] + F_r_star_push*P[24] + F_r_star_r_star*P[15] + F_r_star_rho*P[20] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
+    const bicycle_with_accelerometer_population_real PW_0 = P[10] + P[2] + P[9]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_0 = F_v_star_K*P[3] + F_v_star_eta*P[5] + F_v_star_grip*P[7] + F_v_star_pi1*P[4] + F_v_star_place*P[8] + F_v_star_r_star*P[1] + F_v_star_rho*P[6] + F_v_star_u*PW_0 + F_v_star_v_star*P[0];
+    const bicycle_with_accelerometer_population_real FP_1_0 = F_r_star_K*P[3] + F_r_star_eta*P[5] + F_r_star_grip*P[7] + F_r_star_pi1*P[4] + F_r_star_place*P[8] + F_r_star_r_star*P[1] + F_r_star_rho*P[6] + F_r_star_u*PW_0 + F_r_star_v_star*P[0];
+    const bicycle_with_accelerometer_population_real PW_1 = P[14] + P[22] + P[21]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_1 = F_v_star_K*P[15] + F_v_star_eta*P[17] + F_v_star_grip*P[19] + F_v_star_pi1*P[16] + F_v_star_place*P[20] + F_v_star_r_star*P[13] + F_v_star_rho*P[18] + F_v_star_u*PW_1 + F_v_star_v_star*P[1];
+    const bicycle_with_accelerometer_population_real FP_1_1 = F_r_star_K*P[15] + F_r_star_eta*P[17] + F_r_star_grip*P[19] + F_r_star_pi1*P[16] + F_r_star_place*P[20] + F_r_star_r_star*P[13] + F_r_star_rho*P[18] + F_r_star_u*PW_1 + F_r_star_v_star*P[1];
     P[0] = FP_0_0*F_v_star_v_star + FP_0_1*F_v_star_r_star;
     P[1] = FP_0_0*F_r_star_v_star + FP_0_1*F_r_star_r_star;
-    P[15] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
-    const bicycle_with_accelerometer_population_real PW_2 = P[29] + P[39] + P[38]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_2 = F_v_star_K*P[30] + F_v_star_bank*P[36] + F_v_star_eta*P[32] + F_v_star_grip*P[34] + F_v_star_pi1*P[31] + F_v_star_place*P[35] + F_v_star_push*P[37] + F_v_star_r_star*P[16] + F_v_star_rho*P[33] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
-    const bicycle_with_accelerometer_population_real FP_1_2 = F_r_star_K*P[30] + F_r_star_bank*P[36] + F_r_star_eta*P[32] + F_r_star_grip*P[34] + F_r_star_pi1*P[31] + F_r_star_place*P[35] + F_r_star_push*P[37] + F_r_star_r_star*P[16] + F_r_star_rho*P[33] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
+    P[13] = FP_1_0*F_r_star_v_star + FP_1_1*F_r_star_r_star;
+    const bicycle_with_accelerometer_population_real PW_2 = P[25] + P[33] + P[32]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_2 = F_v_star_K*P[26] + F_v_star_eta*P[28] + F_v_star_grip*P[30] + F_v_star_pi1*P[27] + F_v_star_place*P[31] + F_v_star_r_star*P[14] + F_v_star_rho*P[29] + F_v_star_u*PW_2 + F_v_star_v_star*P[2];
+    const bicycle_with_accelerometer_population_real FP_1_2 = F_r_star_K*P[26] + F_r_star_eta*P[28] + F_r_star_grip*P[30] + F_r_star_pi1*P[27] + F_r_star_place*P[31] + F_r_star_r_star*P[14] + F_r_star_rho*P[29] + F_r_star_u*PW_2 + F_r_star_v_star*P[2];
     P[2] = FP_0_2*keep_w;
-    P[16] = FP_1_2*keep_w;
-    const bicycle_with_accelerometer_population_real PW_3 = P[30] + P[51] + P[50]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_3 = F_v_star_K*P[42] + F_v_star_bank*P[48] + F_v_star_eta*P[44] + F_v_star_grip*P[46] + F_v_star_pi1*P[43] + F_v_star_place*P[47] + F_v_star_push*P[49] + F_v_star_r_star*P[17] + F_v_star_rho*P[45] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
-    const bicycle_with_accelerometer_population_real FP_1_3 = F_r_star_K*P[42] + F_r_star_bank*P[48] + F_r_star_eta*P[44] + F_r_star_grip*P[46] + F_r_star_pi1*P[43] + F_r_star_place*P[47] + F_r_star_push*P[49] + F_r_star_r_star*P[17] + F_r_star_rho*P[45] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
+    P[14] = FP_1_2*keep_w;
+    const bicycle_with_accelerometer_population_real PW_3 = P[26] + P[43] + P[42]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_3 = F_v_star_K*P[36] + F_v_star_eta*P[38] + F_v_star_grip*P[40] + F_v_star_pi1*P[37] + F_v_star_place*P[41] + F_v_star_r_star*P[15] + F_v_star_rho*P[39] + F_v_star_u*PW_3 + F_v_star_v_star*P[3];
+    const bicycle_with_accelerometer_population_real FP_1_3 = F_r_star_K*P[36] + F_r_star_eta*P[38] + F_r_star_grip*P[40] + F_r_star_pi1*P[37] + F_r_star_place*P[41] + F_r_star_r_star*P[15] + F_r_star_rho*P[39] + F_r_star_u*PW_3 + F_r_star_v_star*P[3];
     P[3] = FP_0_3;
-    P[17] = FP_1_3;
+    P[15] = FP_1_3;
     P[0] = P[0] + FP_0_3*F_v_star_K;
     P[1] = P[1] + FP_0_3*F_r_star_K;
-    P[15] = P[15] + FP_1_3*F_r_star_K;
-    const bicycle_with_accelerometer_population_real PW_4 = P[31] + P[62] + P[61]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_4 = F_v_star_K*P[43] + F_v_star_bank*P[59] + F_v_star_eta*P[55] + F_v_star_grip*P[57] + F_v_star_pi1*P[54] + F_v_star_place*P[58] + F_v_star_push*P[60] + F_v_star_r_star*P[18] + F_v_star_rho*P[56] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
-    const bicycle_with_accelerometer_population_real FP_1_4 = F_r_star_K*P[43] + F_r_star_bank*P[59] + F_r_star_eta*P[55] + F_r_star_grip*P[57] + F_r_star_pi1*P[54] + F_r_star_place*P[58] + F_r_star_push*P[60] + F_r_star_r_star*P[18] + F_r_star_rho*P[56] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
+    P[13] = P[13] + FP_1_3*F_r_star_K;
+    const bicycle_with_accelerometer_population_real PW_4 = P[27] + P[52] + P[51]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_4 = F_v_star_K*P[37] + F_v_star_eta*P[47] + F_v_star_grip*P[49] + F_v_star_pi1*P[46] + F_v_star_place*P[50] + F_v_star_r_star*P[16] + F_v_star_rho*P[48] + F_v_star_u*PW_4 + F_v_star_v_star*P[4];
+    const bicycle_with_accelerometer_population_real FP_1_4 = F_r_star_K*P[37] + F_r_star_eta*P[47] + F_r_star_grip*P[49] + F_r_star_pi1*P[46] + F_r_star_place*P[50] + F_r_star_r_star*P[16] + F_r_star_rho*P[48] + F_r_star_u*PW_4 + F_r_star_v_star*P[4];
     P[4] = FP_0_4;
-    P[18] = FP_1_4;
+    P[16] = FP_1_4;
     P[0] = P[0] + FP_0_4*F_v_star_pi1;
     P[1] = P[1] + FP_0_4*F_r_star_pi1;
-    P[15] = P[15] + FP_1_4*F_r_star_pi1;
-    const bicycle_with_accelerometer_population_real PW_5 = P[32] + P[72] + P[71]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_5 = F_v_star_K*P[44] + F_v_star_bank*P[69] + F_v_star_eta*P[65] + F_v_star_grip*P[67] + F_v_star_pi1*P[55] + F_v_star_place*P[68] + F_v_star_push*P[70] + F_v_star_r_star*P[19] + F_v_star_rho*P[66] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
-    const bicycle_with_accelerometer_population_real FP_1_5 = F_r_star_K*P[44] + F_r_star_bank*P[69] + F_r_star_eta*P[65] + F_r_star_grip*P[67] + F_r_star_pi1*P[55] + F_r_star_place*P[68] + F_r_star_push*P[70] + F_r_star_r_star*P[19] + F_r_star_rho*P[66] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
+    P[13] = P[13] + FP_1_4*F_r_star_pi1;
+    const bicycle_with_accelerometer_population_real PW_5 = P[28] + P[60] + P[59]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_5 = F_v_star_K*P[38] + F_v_star_eta*P[55] + F_v_star_grip*P[57] + F_v_star_pi1*P[47] + F_v_star_place*P[58] + F_v_star_r_star*P[17] + F_v_star_rho*P[56] + F_v_star_u*PW_5 + F_v_star_v_star*P[5];
+    const bicycle_with_accelerometer_population_real FP_1_5 = F_r_star_K*P[38] + F_r_star_eta*P[55] + F_r_star_grip*P[57] + F_r_star_pi1*P[47] + F_r_star_place*P[58] + F_r_star_r_star*P[17] + F_r_star_rho*P[56] + F_r_star_u*PW_5 + F_r_star_v_star*P[5];
     P[5] = FP_0_5;
-    P[19] = FP_1_5;
+    P[17] = FP_1_5;
     P[0] = P[0] + FP_0_5*F_v_star_eta;
     P[1] = P[1] + FP_0_5*F_r_star_eta;
-    P[15] = P[15] + FP_1_5*F_r_star_eta;
-    const bicycle_with_accelerometer_population_real PW_6 = P[33] + P[81] + P[80]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_6 = F_v_star_K*P[45] + F_v_star_bank*P[78] + F_v_star_eta*P[66] + F_v_star_grip*P[76] + F_v_star_pi1*P[56] + F_v_star_place*P[77] + F_v_star_push*P[79] + F_v_star_r_star*P[20] + F_v_star_rho*P[75] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
-    const bicycle_with_accelerometer_population_real FP_1_6 = F_r_star_K*P[45] + F_r_star_bank*P[78] + F_r_star_eta*P[66] + F_r_star_grip*P[76] + F_r_star_pi1*P[56] + F_r_star_place*P[77] + F_r_star_push*P[79] + F_r_star_r_star*P[20] + F_r_star_rho*P[75] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
+    P[13] = P[13] + FP_1_5*F_r_star_eta;
+    const bicycle_with_accelerometer_population_real PW_6 = P[29] + P[67] + P[66]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_6 = F_v_star_K*P[39] + F_v_star_eta*P[56] + F_v_star_grip*P[64] + F_v_star_pi1*P[48] + F_v_star_place*P[65] + F_v_star_r_star*P[18] + F_v_star_rho*P[63] + F_v_star_u*PW_6 + F_v_star_v_star*P[6];
+    const bicycle_with_accelerometer_population_real FP_1_6 = F_r_star_K*P[39] + F_r_star_eta*P[56] + F_r_star_grip*P[64] + F_r_star_pi1*P[48] + F_r_star_place*P[65] + F_r_star_r_star*P[18] + F_r_star_rho*P[63] + F_r_star_u*PW_6 + F_r_star_v_star*P[6];
     P[6] = FP_0_6;
-    P[20] = FP_1_6;
+    P[18] = FP_1_6;
     P[0] = P[0] + FP_0_6*F_v_star_rho;
     P[1] = P[1] + FP_0_6*F_r_star_rho;
-    P[15] = P[15] + FP_1_6*F_r_star_rho;
-    const bicycle_with_accelerometer_population_real PW_7 = P[34] + P[89] + P[88]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_7 = F_v_star_K*P[46] + F_v_star_bank*P[86] + F_v_star_eta*P[67] + F_v_star_grip*P[84] + F_v_star_pi1*P[57] + F_v_star_place*P[85] + F_v_star_push*P[87] + F_v_star_r_star*P[21] + F_v_star_rho*P[76] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
-    const bicycle_with_accelerometer_population_real FP_1_7 = F_r_star_K*P[46] + F_r_star_bank*P[86] + F_r_star_eta*P[67] + F_r_star_grip*P[84] + F_r_star_pi1*P[57] + F_r_star_place*P[85] + F_r_star_push*P[87] + F_r_star_r_star*P[21] + F_r_star_rho*P[76] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
+    P[13] = P[13] + FP_1_6*F_r_star_rho;
+    const bicycle_with_accelerometer_population_real PW_7 = P[30] + P[73] + P[72]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_7 = F_v_star_K*P[40] + F_v_star_eta*P[57] + F_v_star_grip*P[70] + F_v_star_pi1*P[49] + F_v_star_place*P[71] + F_v_star_r_star*P[19] + F_v_star_rho*P[64] + F_v_star_u*PW_7 + F_v_star_v_star*P[7];
+    const bicycle_with_accelerometer_population_real FP_1_7 = F_r_star_K*P[40] + F_r_star_eta*P[57] + F_r_star_grip*P[70] + F_r_star_pi1*P[49] + F_r_star_place*P[71] + F_r_star_r_star*P[19] + F_r_star_rho*P[64] + F_r_star_u*PW_7 + F_r_star_v_star*P[7];
     P[7] = FP_0_7;
-    P[21] = FP_1_7;
+    P[19] = FP_1_7;
     P[0] = P[0] + FP_0_7*F_v_star_grip;
     P[1] = P[1] + FP_0_7*F_r_star_grip;
-    P[15] = P[15] + FP_1_7*F_r_star_grip;
-    const bicycle_with_accelerometer_population_real PW_8 = P[35] + P[96] + P[95]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_8 = F_v_star_K*P[47] + F_v_star_bank*P[93] + F_v_star_eta*P[68] + F_v_star_grip*P[85] + F_v_star_pi1*P[58] + F_v_star_place*P[92] + F_v_star_push*P[94] + F_v_star_r_star*P[22] + F_v_star_rho*P[77] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
-    const bicycle_with_accelerometer_population_real FP_1_8 = F_r_star_K*P[47] + F_r_star_bank*P[93] + F_r_star_eta*P[68] + F_r_star_grip*P[85] + F_r_star_pi1*P[58] + F_r_star_place*P[92] + F_r_star_push*P[94] + F_r_star_r_star*P[22] + F_r_star_rho*P[77] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
+    P[13] = P[13] + FP_1_7*F_r_star_grip;
+    const bicycle_with_accelerometer_population_real PW_8 = P[31] + P[78] + P[77]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_8 = F_v_star_K*P[41] + F_v_star_eta*P[58] + F_v_star_grip*P[71] + F_v_star_pi1*P[50] + F_v_star_place*P[76] + F_v_star_r_star*P[20] + F_v_star_rho*P[65] + F_v_star_u*PW_8 + F_v_star_v_star*P[8];
+    const bicycle_with_accelerometer_population_real FP_1_8 = F_r_star_K*P[41] + F_r_star_eta*P[58] + F_r_star_grip*P[71] + F_r_star_pi1*P[50] + F_r_star_place*P[76] + F_r_star_r_star*P[20] + F_r_star_rho*P[65] + F_r_star_u*PW_8 + F_r_star_v_star*P[8];
     P[8] = FP_0_8;
-    P[22] = FP_1_8;
+    P[20] = FP_1_8;
     P[0] = P[0] + FP_0_8*F_v_star_place;
     P[1] = P[1] + FP_0_8*F_r_star_place;
-    P[15] = P[15] + FP_1_8*F_r_star_place;
-    const bicycle_with_accelerometer_population_real PW_9 = P[102] + P[36] + P[101]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_9 = F_v_star_K*P[48] + F_v_star_bank*P[99] + F_v_star_eta*P[69] + F_v_star_grip*P[86] + F_v_star_pi1*P[59] + F_v_star_place*P[93] + F_v_star_push*P[100] + F_v_star_r_star*P[23] + F_v_star_rho*P[78] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
-    const bicycle_with_accelerometer_population_real FP_1_9 = F_r_star_K*P[48] + F_r_star_bank*P[99] + F_r_star_eta*P[69] + F_r_star_grip*P[86] + F_r_star_pi1*P[59] + F_r_star_place*P[93] + F_r_star_push*P[100] + F_r_star_r_star*P[23] + F_r_star_rho*P[78] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
-    P[9] = FP_0_9*keep_bank;
-    P[23] = FP_1_9*keep_bank;
-    P[0] = P[0] + FP_0_9*F_v_star_bank;
-    P[1] = P[1] + FP_0_9*F_r_star_bank;
-    P[15] = P[15] + FP_1_9*F_r_star_bank;
-    const bicycle_with_accelerometer_population_real PW_10 = P[107] + P[37] + P[106]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_10 = F_v_star_K*P[49] + F_v_star_bank*P[100] + F_v_star_eta*P[70] + F_v_star_grip*P[87] + F_v_star_pi1*P[60] + F_v_star_place*P[94] + F_v_star_push*P[105] + F_v_star_r_star*P[24] + F_v_star_rho*P[79] + F_v_star_u*PW_10 + F_v_star_v_star*P[10];
-    const bicycle_with_accelerometer_population_real FP_1_10 = F_r_star_K*P[49] + F_r_star_bank*P[100] + F_r_star_eta*P[70] + F_r_star_grip*P[87] + F_r_star_pi1*P[60] + F_r_star_place*P[94] + F_r_star_push*P[105] + F_r_star_r_star*P[24] + F_r_star_rho*P[79] + F_r_star_u*PW_10 + F_r_star_v_star*P[10];
-    P[10] = FP_0_10*keep_push;
-    P[24] = FP_1_10*keep_push;
-    P[0] = P[0] + FP_0_10*F_v_star_push;
-    P[1] = P[1] + FP_0_10*F_r_star_push;
-    P[15] = P[15] + FP_1_10*F_r_star_push;
-    const bicycle_with_accelerometer_population_real PW_11 = P[111] + P[38] + P[110]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_11 = F_v_star_K*P[50] + F_v_star_bank*P[101] + F_v_star_eta*P[71] + F_v_star_grip*P[88] + F_v_star_pi1*P[61] + F_v_star_place*P[95] + F_v_star_push*P[106] + F_v_star_r_star*P[25] + F_v_star_rho*P[80] + F_v_star_u*PW_11 + F_v_star_v_star*P[11];
-    const bicycle_with_accelerometer_population_real FP_1_11 = F_r_star_K*P[50] + F_r_star_bank*P[101] + F_r_star_eta*P[71] + F_r_star_grip*P[88] + F_r_star_pi1*P[61] + F_r_star_place*P[95] + F_r_star_push*P[106] + F_r_star_r_star*P[25] + F_r_star_rho*P[80] + F_r_star_u*PW_11 + F_r_star_v_star*P[11];
+    P[13] = P[13] + FP_1_8*F_r_star_place;
+    const bicycle_with_accelerometer_population_real PW_9 = P[32] + P[82] + P[81]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_9 = F_v_star_K*P[42] + F_v_star_eta*P[59] + F_v_star_grip*P[72] + F_v_star_pi1*P[51] + F_v_star_place*P[77] + F_v_star_r_star*P[21] + F_v_star_rho*P[66] + F_v_star_u*PW_9 + F_v_star_v_star*P[9];
+    const bicycle_with_accelerometer_population_real FP_1_9 = F_r_star_K*P[42] + F_r_star_eta*P[59] + F_r_star_grip*P[72] + F_r_star_pi1*P[51] + F_r_star_place*P[77] + F_r_star_r_star*P[21] + F_r_star_rho*P[66] + F_r_star_u*PW_9 + F_r_star_v_star*P[9];
+    P[9] = FP_0_9;
+    P[21] = FP_1_9;
+    const bicycle_with_accelerometer_population_real PW_10 = P[33] + P[85] + P[82]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_10 = F_v_star_K*P[43] + F_v_star_eta*P[60] + F_v_star_grip*P[73] + F_v_star_pi1*P[52] + F_v_star_place*P[78] + F_v_star_r_star*P[22] + F_v_star_rho*P[67] + F_v_star_u*PW_10 + F_v_star_v_star*P[10];
+    const bicycle_with_accelerometer_population_real FP_1_10 = F_r_star_K*P[43] + F_r_star_eta*P[60] + F_r_star_grip*P[73] + F_r_star_pi1*P[52] + F_r_star_place*P[78] + F_r_star_r_star*P[22] + F_r_star_rho*P[67] + F_r_star_u*PW_10 + F_r_star_v_star*P[10];
+    P[10] = FP_0_10;
+    P[22] = FP_1_10;
+    const bicycle_with_accelerometer_population_real PW_11 = P[34] + P[86] + P[83]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_11 = F_v_star_K*P[44] + F_v_star_eta*P[61] + F_v_star_grip*P[74] + F_v_star_pi1*P[53] + F_v_star_place*P[79] + F_v_star_r_star*P[23] + F_v_star_rho*P[68] + F_v_star_u*PW_11 + F_v_star_v_star*P[11];
+    const bicycle_with_accelerometer_population_real FP_1_11 = F_r_star_K*P[44] + F_r_star_eta*P[61] + F_r_star_grip*P[74] + F_r_star_pi1*P[53] + F_r_star_place*P[79] + F_r_star_r_star*P[23] + F_r_star_rho*P[68] + F_r_star_u*PW_11 + F_r_star_v_star*P[11];
     P[11] = FP_0_11;
-    P[25] = FP_1_11;
-    const bicycle_with_accelerometer_population_real PW_12 = P[114] + P[39] + P[111]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_12 = F_v_star_K*P[51] + F_v_star_bank*P[102] + F_v_star_eta*P[72] + F_v_star_grip*P[89] + F_v_star_pi1*P[62] + F_v_star_place*P[96] + F_v_star_push*P[107] + F_v_star_r_star*P[26] + F_v_star_rho*P[81] + F_v_star_u*PW_12 + F_v_star_v_star*P[12];
-    const bicycle_with_accelerometer_population_real FP_1_12 = F_r_star_K*P[51] + F_r_star_bank*P[102] + F_r_star_eta*P[72] + F_r_star_grip*P[89] + F_r_star_pi1*P[62] + F_r_star_place*P[96] + F_r_star_push*P[107] + F_r_star_r_star*P[26] + F_r_star_rho*P[81] + F_r_star_u*PW_12 + F_r_star_v_star*P[12];
+    P[23] = FP_1_11;
+    const bicycle_with_accelerometer_population_real PW_12 = P[35] + P[87] + P[84]*steer;
+    const bicycle_with_accelerometer_population_real FP_0_12 = F_v_star_K*P[45] + F_v_star_eta*P[62] + F_v_star_grip*P[75] + F_v_star_pi1*P[54] + F_v_star_place*P[80] + F_v_star_r_star*P[24] + F_v_star_rho*P[69] + F_v_star_u*PW_12 + F_v_star_v_star*P[12];
+    const bicycle_with_accelerometer_population_real FP_1_12 = F_r_star_K*P[45] + F_r_star_eta*P[62] + F_r_star_grip*P[75] + F_r_star_pi1*P[54] + F_r_star_place*P[80] + F_r_star_r_star*P[24] + F_r_star_rho*P[69] + F_r_star_u*PW_12 + F_r_star_v_star*P[12];
     P[12] = FP_0_12;
-    P[26] = FP_1_12;
-    const bicycle_with_accelerometer_population_real PW_13 = P[115] + P[40] + P[112]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_13 = F_v_star_K*P[52] + F_v_star_bank*P[103] + F_v_star_eta*P[73] + F_v_star_grip*P[90] + F_v_star_pi1*P[63] + F_v_star_place*P[97] + F_v_star_push*P[108] + F_v_star_r_star*P[27] + F_v_star_rho*P[82] + F_v_star_u*PW_13 + F_v_star_v_star*P[13];
-    const bicycle_with_accelerometer_population_real FP_1_13 = F_r_star_K*P[52] + F_r_star_bank*P[103] + F_r_star_eta*P[73] + F_r_star_grip*P[90] + F_r_star_pi1*P[63] + F_r_star_place*P[97] + F_r_star_push*P[108] + F_r_star_r_star*P[27] + F_r_star_rho*P[82] + F_r_star_u*PW_13 + F_r_star_v_star*P[13];
-    P[13] = FP_0_13;
-    P[27] = FP_1_13;
-    const bicycle_with_accelerometer_population_real PW_14 = P[116] + P[41] + P[113]*steer;
-    const bicycle_with_accelerometer_population_real FP_0_14 = F_v_star_K*P[53] + F_v_star_bank*P[104] + F_v_star_eta*P[74] + F_v_star_grip*P[91] + F_v_star_pi1*P[64] + F_v_star_place*P[98] + F_v_star_push*P[109] + F_v_star_r_star*P[28] + F_v_star_rho*P[83] + F_v_star_u*PW_14 + F_v_star_v_star*P[14];
-    const bicycle_with_accelerometer_population_real FP_1_14 = F_r_star_K*P[53] + F_r_star_bank*P[104] + F_r_star_eta*P[74] + F_r_star_grip*P[91] + F_r_star_pi1*P[64] + F_r_star_place*P[98] + F_r_star_push*P[109] + F_r_star_r_star*P[28] + F_r_star_rho*P[83] + F_r_star_u*PW_14 + F_r_star_v_star*P[14];
-    P[14] = FP_0_14;
-    P[28] = FP_1_14;
-    const bicycle_with_accelerometer_population_real WPF_0 = FP_0_12 + FP_0_2 + FP_0_11*steer;
-    const bicycle_with_accelerometer_population_real WPF_1 = FP_1_12 + FP_1_2 + FP_1_11*steer;
+    P[24] = FP_1_12;
+    const bicycle_with_accelerometer_population_real WPF_0 = FP_0_10 + FP_0_2 + FP_0_9*steer;
+    const bicycle_with_accelerometer_population_real WPF_1 = FP_1_10 + FP_1_2 + FP_1_9*steer;
     P[0] = P[0] + F_v_star_u*WPF_0;
     P[1] = P[1] + F_r_star_u*WPF_0;
-    P[15] = P[15] + F_r_star_u*WPF_1;
-    P[29] = P[29]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[13] = P[13] + F_r_star_u*WPF_1;
+    P[25] = P[25]*(keep_w*keep_w) + state->disturbance_scale*w_nominal*(R(1.0) - (keep_w*keep_w));
+    P[26] = P[26]*keep_w;
+    P[27] = P[27]*keep_w;
+    P[28] = P[28]*keep_w;
+    P[29] = P[29]*keep_w;
     P[30] = P[30]*keep_w;
     P[31] = P[31]*keep_w;
     P[32] = P[32]*keep_w;
     P[33] = P[33]*keep_w;
     P[34] = P[34]*keep_w;
     P[35] = P[35]*keep_w;
-    P[36] = P[36]*keep_bank*keep_w;
-    P[37] = P[37]*keep_push*keep_w;
-    P[38] = P[38]*keep_w;
-    P[39] = P[39]*keep_w;
-    P[40] = P[40]*keep_w;
-    P[41] = P[41]*keep_w;
-    P[42] = P[42] + sample->dt*(diffusion + state->jump*config->jump_drift);
-    P[48] = P[48]*keep_bank;
-    P[49] = P[49]*keep_push;
-    P[59] = P[59]*keep_bank;
-    P[60] = P[60]*keep_push;
-    P[69] = P[69]*keep_bank;
-    P[70] = P[70]*keep_push;
-    P[78] = P[78]*keep_bank;
-    P[79] = P[79]*keep_push;
-    P[86] = P[86]*keep_bank;
-    P[87] = P[87]*keep_push;
-    P[93] = P[93]*keep_bank;
-    P[94] = P[94]*keep_push;
-    P[99] = P[99]*(keep_bank*keep_bank) + config->P_prior[33]*(R(1.0) - (keep_bank*keep_bank));
-    P[100] = P[100]*keep_bank*keep_push;
-    P[101] = P[101]*keep_bank;
-    P[102] = P[102]*keep_bank;
-    P[103] = P[103]*keep_bank;
-    P[104] = P[104]*keep_bank;
-    P[105] = P[105]*(keep_push*keep_push) + config->P_prior[35]*(R(1.0) - (keep_push*keep_push));
-    P[106] = P[106]*keep_push;
-    P[107] = P[107]*keep_push;
-    P[108] = P[108]*keep_push;
-    P[109] = P[109]*keep_push;
-    P[117] = P[117] + config->bias_drift*sample->dt;
-    P[119] = P[119] + config->ay_bias_drift*sample->dt;
+    P[36] = P[36] + sample->dt*(diffusion + state->jump*config->jump_drift);
+    P[88] = P[88] + config->bias_drift*sample->dt;
+    P[90] = P[90] + config->ay_bias_drift*sample->dt;
 }
 
 /* A part of the step: correct. */
@@ -489,24 +413,22 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
         const bicycle_with_accelerometer_population_real c_1,
         const bicycle_with_accelerometer_population_real learn_seldom,
         const bicycle_with_accelerometer_population_real learn_slow,
-        const bicycle_with_accelerometer_population_real c_13,
+        const bicycle_with_accelerometer_population_real c_11,
         const bicycle_with_accelerometer_population_real c_3,
         const bicycle_with_accelerometer_population_real gain_3,
         const bicycle_with_accelerometer_population_real innovation)
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
-    const bicycle_with_accelerometer_population_real c_0 = P[13] + P[1]*output_scale;
-    const bicycle_with_accelerometer_population_real c_2 = P[40] + P[16]*output_scale;
-    const bicycle_with_accelerometer_population_real c_4 = P[63] + P[18]*output_scale;
-    const bicycle_with_accelerometer_population_real c_5 = P[73] + P[19]*output_scale;
-    const bicycle_with_accelerometer_population_real c_6 = P[82] + P[20]*output_scale;
-    const bicycle_with_accelerometer_population_real c_7 = P[90] + P[21]*output_scale;
-    const bicycle_with_accelerometer_population_real c_8 = P[97] + P[22]*output_scale;
-    const bicycle_with_accelerometer_population_real c_9 = P[103] + P[23]*output_scale;
-    const bicycle_with_accelerometer_population_real c_10 = P[108] + P[24]*output_scale;
-    const bicycle_with_accelerometer_population_real c_11 = P[112] + P[25]*output_scale;
-    const bicycle_with_accelerometer_population_real c_12 = P[115] + P[26]*output_scale;
-    const bicycle_with_accelerometer_population_real c_14 = P[118] + P[28]*output_scale;
+    const bicycle_with_accelerometer_population_real c_0 = P[11] + P[1]*output_scale;
+    const bicycle_with_accelerometer_population_real c_2 = P[34] + P[14]*output_scale;
+    const bicycle_with_accelerometer_population_real c_4 = P[53] + P[16]*output_scale;
+    const bicycle_with_accelerometer_population_real c_5 = P[61] + P[17]*output_scale;
+    const bicycle_with_accelerometer_population_real c_6 = P[68] + P[18]*output_scale;
+    const bicycle_with_accelerometer_population_real c_7 = P[74] + P[19]*output_scale;
+    const bicycle_with_accelerometer_population_real c_8 = P[79] + P[20]*output_scale;
+    const bicycle_with_accelerometer_population_real c_9 = P[83] + P[21]*output_scale;
+    const bicycle_with_accelerometer_population_real c_10 = P[86] + P[22]*output_scale;
+    const bicycle_with_accelerometer_population_real c_12 = P[89] + P[24]*output_scale;
     const bicycle_with_accelerometer_population_real gain_0 = c_0*inv_spread;
     const bicycle_with_accelerometer_population_real gain_1 = c_1*inv_spread;
     const bicycle_with_accelerometer_population_real gain_2 = c_2*inv_spread;
@@ -515,12 +437,10 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     const bicycle_with_accelerometer_population_real gain_6 = c_6*learn_slow;
     const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_slow;
     const bicycle_with_accelerometer_population_real gain_8 = c_8*learn_slow;
-    const bicycle_with_accelerometer_population_real gain_9 = c_9*inv_spread;
+    const bicycle_with_accelerometer_population_real gain_9 = c_9*learn_slow;
     const bicycle_with_accelerometer_population_real gain_10 = c_10*inv_spread;
-    const bicycle_with_accelerometer_population_real gain_11 = c_11*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_11 = c_11*inv_spread;
     const bicycle_with_accelerometer_population_real gain_12 = c_12*inv_spread;
-    const bicycle_with_accelerometer_population_real gain_13 = c_13*inv_spread;
-    const bicycle_with_accelerometer_population_real gain_14 = c_14*inv_spread;
     P[0] = P[0] - c_0*gain_0;
     P[1] = P[1] - c_1*gain_0;
     P[2] = P[2] - c_2*gain_0;
@@ -534,113 +454,84 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     P[10] = P[10] - c_10*gain_0;
     P[11] = P[11] - c_11*gain_0;
     P[12] = P[12] - c_12*gain_0;
-    P[13] = P[13] - c_13*gain_0;
-    P[14] = P[14] - c_14*gain_0;
-    P[15] = P[15] - c_1*gain_1;
-    P[16] = P[16] - c_2*gain_1;
-    P[17] = P[17] - c_3*gain_1;
-    P[18] = P[18] - c_4*gain_1;
-    P[19] = P[19] - c_5*gain_1;
-    P[20] = P[20] - c_6*gain_1;
-    P[21] = P[21] - c_7*gain_1;
-    P[22] = P[22] - c_8*gain_1;
-    P[23] = P[23] - c_9*gain_1;
-    P[24] = P[24] - c_10*gain_1;
-    P[25] = P[25] - c_11*gain_1;
-    P[26] = P[26] - c_12*gain_1;
-    P[27] = P[27] - c_13*gain_1;
-    P[28] = P[28] - c_14*gain_1;
-    P[29] = P[29] - c_2*gain_2;
-    P[30] = P[30] - c_3*gain_2;
-    P[31] = P[31] - c_4*gain_2;
-    P[32] = P[32] - c_5*gain_2;
-    P[33] = P[33] - c_6*gain_2;
-    P[34] = P[34] - c_7*gain_2;
-    P[35] = P[35] - c_8*gain_2;
-    P[36] = P[36] - c_9*gain_2;
-    P[37] = P[37] - c_10*gain_2;
-    P[38] = P[38] - c_11*gain_2;
-    P[39] = P[39] - c_12*gain_2;
-    P[40] = P[40] - c_13*gain_2;
-    P[41] = P[41] - c_14*gain_2;
-    P[42] = P[42] - c_3*gain_3;
-    P[43] = P[43] - c_4*gain_3;
-    P[44] = P[44] - c_5*gain_3;
-    P[45] = P[45] - c_6*gain_3;
-    P[46] = P[46] - c_7*gain_3;
-    P[47] = P[47] - c_8*gain_3;
-    P[48] = P[48] - c_3*gain_9;
-    P[49] = P[49] - c_3*gain_10;
-    P[50] = P[50] - c_11*gain_3;
-    P[51] = P[51] - c_3*gain_12;
-    P[52] = P[52] - c_3*gain_13;
-    P[53] = P[53] - c_3*gain_14;
-    P[54] = P[54] - c_4*gain_4;
-    P[55] = P[55] - c_4*gain_5;
-    P[56] = P[56] - c_4*gain_6;
-    P[57] = P[57] - c_4*gain_7;
-    P[58] = P[58] - c_4*gain_8;
-    P[59] = P[59] - c_4*gain_9;
-    P[60] = P[60] - c_4*gain_10;
-    P[61] = P[61] - c_4*gain_11;
-    P[62] = P[62] - c_4*gain_12;
-    P[63] = P[63] - c_4*gain_13;
-    P[64] = P[64] - c_4*gain_14;
-    P[65] = P[65] - c_5*gain_5;
-    P[66] = P[66] - c_6*gain_5;
-    P[67] = P[67] - c_7*gain_5;
-    P[68] = P[68] - c_8*gain_5;
-    P[69] = P[69] - c_5*gain_9;
-    P[70] = P[70] - c_5*gain_10;
-    P[71] = P[71] - c_11*gain_5;
-    P[72] = P[72] - c_5*gain_12;
-    P[73] = P[73] - c_5*gain_13;
-    P[74] = P[74] - c_5*gain_14;
-    P[75] = P[75] - c_6*gain_6;
-    P[76] = P[76] - c_7*gain_6;
-    P[77] = P[77] - c_8*gain_6;
-    P[78] = P[78] - c_6*gain_9;
-    P[79] = P[79] - c_6*gain_10;
-    P[80] = P[80] - c_11*gain_6;
-    P[81] = P[81] - c_6*gain_12;
-    P[82] = P[82] - c_6*gain_13;
-    P[83] = P[83] - c_6*gain_14;
-    P[84] = P[84] - c_7*gain_7;
-    P[85] = P[85] - c_8*gain_7;
-    P[86] = P[86] - c_7*gain_9;
-    P[87] = P[87] - c_7*gain_10;
-    P[88] = P[88] - c_11*gain_7;
-    P[89] = P[89] - c_7*gain_12;
-    P[90] = P[90] - c_7*gain_13;
-    P[91] = P[91] - c_7*gain_14;
-    P[92] = P[92] - c_8*gain_8;
-    P[93] = P[93] - c_8*gain_9;
-    P[94] = P[94] - c_8*gain_10;
-    P[95] = P[95] - c_11*gain_8;
-    P[96] = P[96] - c_8*gain_12;
-    P[97] = P[97] - c_8*gain_13;
-    P[98] = P[98] - c_8*gain_14;
-    P[99] = P[99] - c_9*gain_9;
-    P[100] = P[100] - c_10*gain_9;
-    P[101] = P[101] - c_11*gain_9;
-    P[102] = P[102] - c_12*gain_9;
-    P[103] = P[103] - c_13*gain_9;
-    P[104] = P[104] - c_14*gain_9;
-    P[105] = P[105] - c_10*gain_10;
-    P[106] = P[106] - c_11*gain_10;
-    P[107] = P[107] - c_12*gain_10;
-    P[108] = P[108] - c_13*gain_10;
-    P[109] = P[109] - c_14*gain_10;
-    P[110] = P[110] - c_11*gain_11;
-    P[111] = P[111] - c_11*gain_12;
-    P[112] = P[112] - c_11*gain_13;
-    P[113] = P[113] - c_11*gain_14;
-    P[114] = P[114] - c_12*gain_12;
-    P[115] = P[115] - c_13*gain_12;
-    P[116] = P[116] - c_14*gain_12;
-    P[117] = P[117] - c_13*gain_13;
-    P[118] = P[118] - c_14*gain_13;
-    P[119] = P[119] - c_14*gain_14;
+    P[13] = P[13] - c_1*gain_1;
+    P[14] = P[14] - c_2*gain_1;
+    P[15] = P[15] - c_3*gain_1;
+    P[16] = P[16] - c_4*gain_1;
+    P[17] = P[17] - c_5*gain_1;
+    P[18] = P[18] - c_6*gain_1;
+    P[19] = P[19] - c_7*gain_1;
+    P[20] = P[20] - c_8*gain_1;
+    P[21] = P[21] - c_9*gain_1;
+    P[22] = P[22] - c_10*gain_1;
+    P[23] = P[23] - c_11*gain_1;
+    P[24] = P[24] - c_12*gain_1;
+    P[25] = P[25] - c_2*gain_2;
+    P[26] = P[26] - c_3*gain_2;
+    P[27] = P[27] - c_4*gain_2;
+    P[28] = P[28] - c_5*gain_2;
+    P[29] = P[29] - c_6*gain_2;
+    P[30] = P[30] - c_7*gain_2;
+    P[31] = P[31] - c_8*gain_2;
+    P[32] = P[32] - c_9*gain_2;
+    P[33] = P[33] - c_10*gain_2;
+    P[34] = P[34] - c_11*gain_2;
+    P[35] = P[35] - c_12*gain_2;
+    P[36] = P[36] - c_3*gain_3;
+    P[37] = P[37] - c_4*gain_3;
+    P[38] = P[38] - c_5*gain_3;
+    P[39] = P[39] - c_6*gain_3;
+    P[40] = P[40] - c_7*gain_3;
+    P[41] = P[41] - c_8*gain_3;
+    P[42] = P[42] - c_9*gain_3;
+    P[43] = P[43] - c_3*gain_10;
+    P[44] = P[44] - c_3*gain_11;
+    P[45] = P[45] - c_3*gain_12;
+    P[46] = P[46] - c_4*gain_4;
+    P[47] = P[47] - c_4*gain_5;
+    P[48] = P[48] - c_4*gain_6;
+    P[49] = P[49] - c_4*gain_7;
+    P[50] = P[50] - c_4*gain_8;
+    P[51] = P[51] - c_4*gain_9;
+    P[52] = P[52] - c_4*gain_10;
+    P[53] = P[53] - c_4*gain_11;
+    P[54] = P[54] - c_4*gain_12;
+    P[55] = P[55] - c_5*gain_5;
+    P[56] = P[56] - c_6*gain_5;
+    P[57] = P[57] - c_7*gain_5;
+    P[58] = P[58] - c_8*gain_5;
+    P[59] = P[59] - c_9*gain_5;
+    P[60] = P[60] - c_5*gain_10;
+    P[61] = P[61] - c_5*gain_11;
+    P[62] = P[62] - c_5*gain_12;
+    P[63] = P[63] - c_6*gain_6;
+    P[64] = P[64] - c_7*gain_6;
+    P[65] = P[65] - c_8*gain_6;
+    P[66] = P[66] - c_9*gain_6;
+    P[67] = P[67] - c_6*gain_10;
+    P[68] = P[68] - c_6*gain_11;
+    P[69] = P[69] - c_6*gain_12;
+    P[70] = P[70] - c_7*gain_7;
+    P[71] = P[71] - c_8*gain_7;
+    P[72] = P[72] - c_9*gain_7;
+    P[73] = P[73] - c_7*gain_10;
+    P[74] = P[74] - c_7*gain_11;
+    P[75] = P[75] - c_7*gain_12;
+    P[76] = P[76] - c_8*gain_8;
+    P[77] = P[77] - c_9*gain_8;
+    P[78] = P[78] - c_8*gain_10;
+    P[79] = P[79] - c_8*gain_11;
+    P[80] = P[80] - c_8*gain_12;
+    P[81] = P[81] - c_9*gain_9;
+    P[82] = P[82] - c_9*gain_10;
+    P[83] = P[83] - c_9*gain_11;
+    P[84] = P[84] - c_9*gain_12;
+    P[85] = P[85] - c_10*gain_10;
+    P[86] = P[86] - c_11*gain_10;
+    P[87] = P[87] - c_12*gain_10;
+    P[88] = P[88] - c_11*gain_11;
+    P[89] = P[89] - c_12*gain_11;
+    P[90] = P[90] - c_12*gain_12;
     state->v_star = state->v_star + gain_0*innovation;
     state->r_star = state->r_star + gain_1*innovation;
     state->disturbance = state->disturbance + gain_2*innovation;
@@ -658,15 +549,13 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     const bicycle_with_accelerometer_population_real bounded_move_grip = ((R(1.0)) < (above_move_grip) ? R(1.0) : above_move_grip);
     state->grip = state->grip*(R(1.0) + bounded_move_grip*(R(1.0) + bounded_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_move_grip)));
     state->place = state->place + gain_8*innovation;
-    state->bank = state->bank + gain_9*innovation;
-    state->push = state->push + gain_10*innovation;
-    const bicycle_with_accelerometer_population_real move_input_scale = gain_11*innovation;
+    const bicycle_with_accelerometer_population_real move_input_scale = gain_9*innovation;
     const bicycle_with_accelerometer_population_real above_move_input_scale = (((-R(1.0))) > (move_input_scale) ? (-R(1.0)) : move_input_scale);
     const bicycle_with_accelerometer_population_real bounded_move_input_scale = ((R(1.0)) < (above_move_input_scale) ? R(1.0) : above_move_input_scale);
     state->input_scale = state->input_scale*(R(1.0) + bounded_move_input_scale*(R(1.0) + bounded_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_move_input_scale)));
-    state->input_offset = state->input_offset + gain_12*innovation;
-    state->output_bias = state->output_bias + gain_13*innovation;
-    state->ay_bias = state->ay_bias + gain_14*innovation;
+    state->input_offset = state->input_offset + gain_10*innovation;
+    state->output_bias = state->output_bias + gain_11*innovation;
+    state->ay_bias = state->ay_bias + gain_12*innovation;
 }
 
 /* A part of the step: correct_by_ay. */
@@ -677,7 +566,6 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
         const bicycle_with_accelerometer_population_real ay_by_grip,
         const bicycle_with_accelerometer_population_real ay_by_pi1,
         const bicycle_with_accelerometer_population_real ay_by_place,
-        const bicycle_with_accelerometer_population_real ay_by_push,
         const bicycle_with_accelerometer_population_real ay_by_r_star,
         const bicycle_with_accelerometer_population_real ay_by_rho,
         const bicycle_with_accelerometer_population_real ay_by_u,
@@ -694,17 +582,15 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
         const bicycle_with_accelerometer_population_real ay_c_6,
         const bicycle_with_accelerometer_population_real ay_c_7,
         const bicycle_with_accelerometer_population_real ay_c_8,
+        const bicycle_with_accelerometer_population_real ay_c_9,
         const bicycle_with_accelerometer_population_real ay_c_10,
-        const bicycle_with_accelerometer_population_real ay_c_11,
         const bicycle_with_accelerometer_population_real ay_c_12,
-        const bicycle_with_accelerometer_population_real ay_c_14,
         const bicycle_with_accelerometer_population_real ay_c_3,
         const bicycle_with_accelerometer_population_real ay_gain_3,
         const bicycle_with_accelerometer_population_real ay_innovation)
 {
     bicycle_with_accelerometer_population_real *const P = state->P;
-    const bicycle_with_accelerometer_population_real ay_c_9 = (P[104] + P[100]*ay_by_push + P[102]*ay_by_u + P[23]*ay_by_r_star + P[36]*ay_by_u + P[48]*ay_by_K) + (P[59]*ay_by_pi1 + P[69]*ay_by_eta + P[78]*ay_by_rho + P[86]*ay_by_grip + P[9]*ay_by_v_star + P[93]*ay_by_place + P[101]*ay_by_u*state->input_scale*u_now);
-    const bicycle_with_accelerometer_population_real ay_c_13 = (P[118] + P[108]*ay_by_push + P[115]*ay_by_u + P[13]*ay_by_v_star + P[27]*ay_by_r_star + P[40]*ay_by_u) + (P[52]*ay_by_K + P[63]*ay_by_pi1 + P[73]*ay_by_eta + P[82]*ay_by_rho + P[90]*ay_by_grip + P[97]*ay_by_place + P[112]*ay_by_u*state->input_scale*u_now);
+    const bicycle_with_accelerometer_population_real ay_c_11 = (P[89] + P[11]*ay_by_v_star + P[23]*ay_by_r_star + P[34]*ay_by_u + P[44]*ay_by_K + P[53]*ay_by_pi1) + (P[61]*ay_by_eta + P[68]*ay_by_rho + P[74]*ay_by_grip + P[79]*ay_by_place + P[86]*ay_by_u + P[83]*ay_by_u*state->input_scale*u_now);
     const bicycle_with_accelerometer_population_real ay_gain_0 = ay_c_0*ay_inv_spread;
     const bicycle_with_accelerometer_population_real ay_gain_1 = ay_c_1*ay_inv_spread;
     const bicycle_with_accelerometer_population_real ay_gain_2 = ay_c_2*ay_inv_spread;
@@ -713,12 +599,10 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     const bicycle_with_accelerometer_population_real ay_gain_6 = ay_c_6*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_8 = ay_c_8*ay_learn_slow;
-    const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_inv_spread;
+    const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_10 = ay_c_10*ay_inv_spread;
-    const bicycle_with_accelerometer_population_real ay_gain_11 = ay_c_11*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_11 = ay_c_11*ay_inv_spread;
     const bicycle_with_accelerometer_population_real ay_gain_12 = ay_c_12*ay_inv_spread;
-    const bicycle_with_accelerometer_population_real ay_gain_13 = ay_c_13*ay_inv_spread;
-    const bicycle_with_accelerometer_population_real ay_gain_14 = ay_c_14*ay_inv_spread;
     P[0] = P[0] - ay_c_0*ay_gain_0;
     P[1] = P[1] - ay_c_1*ay_gain_0;
     P[2] = P[2] - ay_c_2*ay_gain_0;
@@ -732,113 +616,84 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     P[10] = P[10] - ay_c_10*ay_gain_0;
     P[11] = P[11] - ay_c_11*ay_gain_0;
     P[12] = P[12] - ay_c_12*ay_gain_0;
-    P[13] = P[13] - ay_c_13*ay_gain_0;
-    P[14] = P[14] - ay_c_14*ay_gain_0;
-    P[15] = P[15] - ay_c_1*ay_gain_1;
-    P[16] = P[16] - ay_c_2*ay_gain_1;
-    P[17] = P[17] - ay_c_3*ay_gain_1;
-    P[18] = P[18] - ay_c_4*ay_gain_1;
-    P[19] = P[19] - ay_c_5*ay_gain_1;
-    P[20] = P[20] - ay_c_6*ay_gain_1;
-    P[21] = P[21] - ay_c_7*ay_gain_1;
-    P[22] = P[22] - ay_c_8*ay_gain_1;
-    P[23] = P[23] - ay_c_9*ay_gain_1;
-    P[24] = P[24] - ay_c_10*ay_gain_1;
-    P[25] = P[25] - ay_c_11*ay_gain_1;
-    P[26] = P[26] - ay_c_12*ay_gain_1;
-    P[27] = P[27] - ay_c_13*ay_gain_1;
-    P[28] = P[28] - ay_c_14*ay_gain_1;
-    P[29] = P[29] - ay_c_2*ay_gain_2;
-    P[30] = P[30] - ay_c_3*ay_gain_2;
-    P[31] = P[31] - ay_c_4*ay_gain_2;
-    P[32] = P[32] - ay_c_5*ay_gain_2;
-    P[33] = P[33] - ay_c_6*ay_gain_2;
-    P[34] = P[34] - ay_c_7*ay_gain_2;
-    P[35] = P[35] - ay_c_8*ay_gain_2;
-    P[36] = P[36] - ay_c_9*ay_gain_2;
-    P[37] = P[37] - ay_c_10*ay_gain_2;
-    P[38] = P[38] - ay_c_11*ay_gain_2;
-    P[39] = P[39] - ay_c_12*ay_gain_2;
-    P[40] = P[40] - ay_c_13*ay_gain_2;
-    P[41] = P[41] - ay_c_14*ay_gain_2;
-    P[42] = P[42] - ay_c_3*ay_gain_3;
-    P[43] = P[43] - ay_c_4*ay_gain_3;
-    P[44] = P[44] - ay_c_5*ay_gain_3;
-    P[45] = P[45] - ay_c_6*ay_gain_3;
-    P[46] = P[46] - ay_c_7*ay_gain_3;
-    P[47] = P[47] - ay_c_8*ay_gain_3;
-    P[48] = P[48] - ay_c_3*ay_gain_9;
-    P[49] = P[49] - ay_c_3*ay_gain_10;
-    P[50] = P[50] - ay_c_11*ay_gain_3;
-    P[51] = P[51] - ay_c_3*ay_gain_12;
-    P[52] = P[52] - ay_c_3*ay_gain_13;
-    P[53] = P[53] - ay_c_3*ay_gain_14;
-    P[54] = P[54] - ay_c_4*ay_gain_4;
-    P[55] = P[55] - ay_c_4*ay_gain_5;
-    P[56] = P[56] - ay_c_4*ay_gain_6;
-    P[57] = P[57] - ay_c_4*ay_gain_7;
-    P[58] = P[58] - ay_c_4*ay_gain_8;
-    P[59] = P[59] - ay_c_4*ay_gain_9;
-    P[60] = P[60] - ay_c_4*ay_gain_10;
-    P[61] = P[61] - ay_c_4*ay_gain_11;
-    P[62] = P[62] - ay_c_4*ay_gain_12;
-    P[63] = P[63] - ay_c_4*ay_gain_13;
-    P[64] = P[64] - ay_c_4*ay_gain_14;
-    P[65] = P[65] - ay_c_5*ay_gain_5;
-    P[66] = P[66] - ay_c_6*ay_gain_5;
-    P[67] = P[67] - ay_c_7*ay_gain_5;
-    P[68] = P[68] - ay_c_8*ay_gain_5;
-    P[69] = P[69] - ay_c_5*ay_gain_9;
-    P[70] = P[70] - ay_c_5*ay_gain_10;
-    P[71] = P[71] - ay_c_11*ay_gain_5;
-    P[72] = P[72] - ay_c_5*ay_gain_12;
-    P[73] = P[73] - ay_c_5*ay_gain_13;
-    P[74] = P[74] - ay_c_5*ay_gain_14;
-    P[75] = P[75] - ay_c_6*ay_gain_6;
-    P[76] = P[76] - ay_c_7*ay_gain_6;
-    P[77] = P[77] - ay_c_8*ay_gain_6;
-    P[78] = P[78] - ay_c_6*ay_gain_9;
-    P[79] = P[79] - ay_c_6*ay_gain_10;
-    P[80] = P[80] - ay_c_11*ay_gain_6;
-    P[81] = P[81] - ay_c_6*ay_gain_12;
-    P[82] = P[82] - ay_c_6*ay_gain_13;
-    P[83] = P[83] - ay_c_6*ay_gain_14;
-    P[84] = P[84] - ay_c_7*ay_gain_7;
-    P[85] = P[85] - ay_c_8*ay_gain_7;
-    P[86] = P[86] - ay_c_7*ay_gain_9;
-    P[87] = P[87] - ay_c_7*ay_gain_10;
-    P[88] = P[88] - ay_c_11*ay_gain_7;
-    P[89] = P[89] - ay_c_7*ay_gain_12;
-    P[90] = P[90] - ay_c_7*ay_gain_13;
-    P[91] = P[91] - ay_c_7*ay_gain_14;
-    P[92] = P[92] - ay_c_8*ay_gain_8;
-    P[93] = P[93] - ay_c_8*ay_gain_9;
-    P[94] = P[94] - ay_c_8*ay_gain_10;
-    P[95] = P[95] - ay_c_11*ay_gain_8;
-    P[96] = P[96] - ay_c_8*ay_gain_12;
-    P[97] = P[97] - ay_c_8*ay_gain_13;
-    P[98] = P[98] - ay_c_8*ay_gain_14;
-    P[99] = P[99] - ay_c_9*ay_gain_9;
-    P[100] = P[100] - ay_c_10*ay_gain_9;
-    P[101] = P[101] - ay_c_11*ay_gain_9;
-    P[102] = P[102] - ay_c_12*ay_gain_9;
-    P[103] = P[103] - ay_c_13*ay_gain_9;
-    P[104] = P[104] - ay_c_14*ay_gain_9;
-    P[105] = P[105] - ay_c_10*ay_gain_10;
-    P[106] = P[106] - ay_c_11*ay_gain_10;
-    P[107] = P[107] - ay_c_12*ay_gain_10;
-    P[108] = P[108] - ay_c_13*ay_gain_10;
-    P[109] = P[109] - ay_c_14*ay_gain_10;
-    P[110] = P[110] - ay_c_11*ay_gain_11;
-    P[111] = P[111] - ay_c_11*ay_gain_12;
-    P[112] = P[112] - ay_c_11*ay_gain_13;
-    P[113] = P[113] - ay_c_11*ay_gain_14;
-    P[114] = P[114] - ay_c_12*ay_gain_12;
-    P[115] = P[115] - ay_c_13*ay_gain_12;
-    P[116] = P[116] - ay_c_14*ay_gain_12;
-    P[117] = P[117] - ay_c_13*ay_gain_13;
-    P[118] = P[118] - ay_c_14*ay_gain_13;
-    P[119] = P[119] - ay_c_14*ay_gain_14;
+    P[13] = P[13] - ay_c_1*ay_gain_1;
+    P[14] = P[14] - ay_c_2*ay_gain_1;
+    P[15] = P[15] - ay_c_3*ay_gain_1;
+    P[16] = P[16] - ay_c_4*ay_gain_1;
+    P[17] = P[17] - ay_c_5*ay_gain_1;
+    P[18] = P[18] - ay_c_6*ay_gain_1;
+    P[19] = P[19] - ay_c_7*ay_gain_1;
+    P[20] = P[20] - ay_c_8*ay_gain_1;
+    P[21] = P[21] - ay_c_9*ay_gain_1;
+    P[22] = P[22] - ay_c_10*ay_gain_1;
+    P[23] = P[23] - ay_c_11*ay_gain_1;
+    P[24] = P[24] - ay_c_12*ay_gain_1;
+    P[25] = P[25] - ay_c_2*ay_gain_2;
+    P[26] = P[26] - ay_c_3*ay_gain_2;
+    P[27] = P[27] - ay_c_4*ay_gain_2;
+    P[28] = P[28] - ay_c_5*ay_gain_2;
+    P[29] = P[29] - ay_c_6*ay_gain_2;
+    P[30] = P[30] - ay_c_7*ay_gain_2;
+    P[31] = P[31] - ay_c_8*ay_gain_2;
+    P[32] = P[32] - ay_c_9*ay_gain_2;
+    P[33] = P[33] - ay_c_10*ay_gain_2;
+    P[34] = P[34] - ay_c_11*ay_gain_2;
+    P[35] = P[35] - ay_c_12*ay_gain_2;
+    P[36] = P[36] - ay_c_3*ay_gain_3;
+    P[37] = P[37] - ay_c_4*ay_gain_3;
+    P[38] = P[38] - ay_c_5*ay_gain_3;
+    P[39] = P[39] - ay_c_6*ay_gain_3;
+    P[40] = P[40] - ay_c_7*ay_gain_3;
+    P[41] = P[41] - ay_c_8*ay_gain_3;
+    P[42] = P[42] - ay_c_9*ay_gain_3;
+    P[43] = P[43] - ay_c_3*ay_gain_10;
+    P[44] = P[44] - ay_c_3*ay_gain_11;
+    P[45] = P[45] - ay_c_3*ay_gain_12;
+    P[46] = P[46] - ay_c_4*ay_gain_4;
+    P[47] = P[47] - ay_c_4*ay_gain_5;
+    P[48] = P[48] - ay_c_4*ay_gain_6;
+    P[49] = P[49] - ay_c_4*ay_gain_7;
+    P[50] = P[50] - ay_c_4*ay_gain_8;
+    P[51] = P[51] - ay_c_4*ay_gain_9;
+    P[52] = P[52] - ay_c_4*ay_gain_10;
+    P[53] = P[53] - ay_c_4*ay_gain_11;
+    P[54] = P[54] - ay_c_4*ay_gain_12;
+    P[55] = P[55] - ay_c_5*ay_gain_5;
+    P[56] = P[56] - ay_c_6*ay_gain_5;
+    P[57] = P[57] - ay_c_7*ay_gain_5;
+    P[58] = P[58] - ay_c_8*ay_gain_5;
+    P[59] = P[59] - ay_c_9*ay_gain_5;
+    P[60] = P[60] - ay_c_5*ay_gain_10;
+    P[61] = P[61] - ay_c_5*ay_gain_11;
+    P[62] = P[62] - ay_c_5*ay_gain_12;
+    P[63] = P[63] - ay_c_6*ay_gain_6;
+    P[64] = P[64] - ay_c_7*ay_gain_6;
+    P[65] = P[65] - ay_c_8*ay_gain_6;
+    P[66] = P[66] - ay_c_9*ay_gain_6;
+    P[67] = P[67] - ay_c_6*ay_gain_10;
+    P[68] = P[68] - ay_c_6*ay_gain_11;
+    P[69] = P[69] - ay_c_6*ay_gain_12;
+    P[70] = P[70] - ay_c_7*ay_gain_7;
+    P[71] = P[71] - ay_c_8*ay_gain_7;
+    P[72] = P[72] - ay_c_9*ay_gain_7;
+    P[73] = P[73] - ay_c_7*ay_gain_10;
+    P[74] = P[74] - ay_c_7*ay_gain_11;
+    P[75] = P[75] - ay_c_7*ay_gain_12;
+    P[76] = P[76] - ay_c_8*ay_gain_8;
+    P[77] = P[77] - ay_c_9*ay_gain_8;
+    P[78] = P[78] - ay_c_8*ay_gain_10;
+    P[79] = P[79] - ay_c_8*ay_gain_11;
+    P[80] = P[80] - ay_c_8*ay_gain_12;
+    P[81] = P[81] - ay_c_9*ay_gain_9;
+    P[82] = P[82] - ay_c_9*ay_gain_10;
+    P[83] = P[83] - ay_c_9*ay_gain_11;
+    P[84] = P[84] - ay_c_9*ay_gain_12;
+    P[85] = P[85] - ay_c_10*ay_gain_10;
+    P[86] = P[86] - ay_c_11*ay_gain_10;
+    P[87] = P[87] - ay_c_12*ay_gain_10;
+    P[88] = P[88] - ay_c_11*ay_gain_11;
+    P[89] = P[89] - ay_c_12*ay_gain_11;
+    P[90] = P[90] - ay_c_12*ay_gain_12;
     state->v_star = state->v_star + ay_gain_0*ay_innovation;
     state->r_star = state->r_star + ay_gain_1*ay_innovation;
     state->disturbance = state->disturbance + ay_gain_2*ay_innovation;
@@ -856,15 +711,13 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     const bicycle_with_accelerometer_population_real bounded_ay_move_grip = ((R(1.0)) < (above_ay_move_grip) ? R(1.0) : above_ay_move_grip);
     state->grip = state->grip*(R(1.0) + bounded_ay_move_grip*(R(1.0) + bounded_ay_move_grip*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_grip)));
     state->place = state->place + ay_gain_8*ay_innovation;
-    state->bank = state->bank + ay_gain_9*ay_innovation;
-    state->push = state->push + ay_gain_10*ay_innovation;
-    const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_11*ay_innovation;
+    const bicycle_with_accelerometer_population_real ay_move_input_scale = ay_gain_9*ay_innovation;
     const bicycle_with_accelerometer_population_real above_ay_move_input_scale = (((-R(1.0))) > (ay_move_input_scale) ? (-R(1.0)) : ay_move_input_scale);
     const bicycle_with_accelerometer_population_real bounded_ay_move_input_scale = ((R(1.0)) < (above_ay_move_input_scale) ? R(1.0) : above_ay_move_input_scale);
     state->input_scale = state->input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(1.0) + bounded_ay_move_input_scale*(R(0.5) + R(0.16666666666666666)*bounded_ay_move_input_scale)));
-    state->input_offset = state->input_offset + ay_gain_12*ay_innovation;
-    state->output_bias = state->output_bias + ay_gain_13*ay_innovation;
-    state->ay_bias = state->ay_bias + ay_gain_14*ay_innovation;
+    state->input_offset = state->input_offset + ay_gain_10*ay_innovation;
+    state->output_bias = state->output_bias + ay_gain_11*ay_innovation;
+    state->ay_bias = state->ay_bias + ay_gain_12*ay_innovation;
 }
 
 /* What the step and the batch loop do with one sample. */
@@ -875,7 +728,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real U_now = R(0.0);
     int anew = 0;
     bicycle_with_accelerometer_population_real ay_inv_spread = R(0.0);
-    bicycle_with_accelerometer_population_real bank_now = R(0.0);
     bicycle_with_accelerometer_population_real bias_now = R(0.0);
     bicycle_with_accelerometer_population_real diffusion = R(0.0);
     bicycle_with_accelerometer_population_real disturbance_now = R(0.0);
@@ -892,7 +744,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real pi1_now = R(0.0);
     bicycle_with_accelerometer_population_real place_now = R(0.0);
     bicycle_with_accelerometer_population_real predicted = R(0.0);
-    bicycle_with_accelerometer_population_real push_now = R(0.0);
     bicycle_with_accelerometer_population_real rho_now = R(0.0);
     int status = 0;
     bicycle_with_accelerometer_population_real u_now = R(0.0);
@@ -986,15 +837,9 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             P[33] = R(0.0);
             P[34] = R(0.0);
             P[35] = R(0.0);
-            P[36] = R(0.0);
-            P[37] = R(0.0);
-            P[38] = R(0.0);
-            P[39] = R(0.0);
-            P[40] = R(0.0);
-            P[41] = R(0.0);
             P[0] = (config->v_star_sd*config->v_star_sd);
-            P[15] = (config->r_star_sd*config->r_star_sd);
-            P[29] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
+            P[13] = (config->r_star_sd*config->r_star_sd);
+            P[25] = state->disturbance_scale*(config->disturbance_floor*config->disturbance_floor);
             state->v_star = R(0.0);
             state->r_star = R(0.0);
             state->v_star_plain = R(0.0);
@@ -1044,75 +889,69 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real size3 = (((-load3)) > (load3) ? (-load3) : load3);
         const bicycle_with_accelerometer_population_real over3 = R(1.0) + size3*(R(1.0) + R(0.7)*size3);
         const bicycle_with_accelerometer_population_real part3 = (R(1.0)/(R(1.0) + over3*size3));
-        const bicycle_with_accelerometer_population_real c0 = (inv_U*inv_U);
-        const bicycle_with_accelerometer_population_real c1 = (at_U*at_U);
-        const bicycle_with_accelerometer_population_real c2 = load0*over0*part0;
-        const bicycle_with_accelerometer_population_real c3 = load2*over2*part2;
-        const bicycle_with_accelerometer_population_real c4 = config->L*state->bank + config->L*state->push;
-        const bicycle_with_accelerometer_population_real c5 = config->L*c0;
-        const bicycle_with_accelerometer_population_real c6 = c5*state->grip;
-        const bicycle_with_accelerometer_population_real c7 = c6*inv1;
-        const bicycle_with_accelerometer_population_real c8 = load1*over1*part1;
-        const bicycle_with_accelerometer_population_real c9 = load3*over3*part3;
-        const bicycle_with_accelerometer_population_real c10 = c9*state->pi1;
-        const bicycle_with_accelerometer_population_real c11 = c8 - c9;
-        const bicycle_with_accelerometer_population_real c12 = c11*c7;
-        const bicycle_with_accelerometer_population_real c13 = (part0*part0);
-        const bicycle_with_accelerometer_population_real c14 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
-        const bicycle_with_accelerometer_population_real c15 = c13*c14;
-        const bicycle_with_accelerometer_population_real c16 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
-        const bicycle_with_accelerometer_population_real c17 = R(0.16666666666666666)*h;
-        const bicycle_with_accelerometer_population_real c18 = state->K*inv_L;
-        const bicycle_with_accelerometer_population_real c19 = c18*inv2;
-        const bicycle_with_accelerometer_population_real c20 = c19*c5;
-        const bicycle_with_accelerometer_population_real c21 = c16 - c13*c14*inv2*state->pi1;
-        const bicycle_with_accelerometer_population_real c22 = c18*state->pi1;
-        const bicycle_with_accelerometer_population_real c23 = c20*inv1;
-        const bicycle_with_accelerometer_population_real c24 = c18*c5*inv1;
-        const bicycle_with_accelerometer_population_real c25 = state->v_star_plain + state->pi1*state->r_star_plain;
-        const bicycle_with_accelerometer_population_real c26 = c25 - u_plain;
-        const bicycle_with_accelerometer_population_real c27 = (part1*part1);
-        const bicycle_with_accelerometer_population_real c28 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
-        const bicycle_with_accelerometer_population_real c29 = c27*c28;
-        const bicycle_with_accelerometer_population_real c30 = c26*c29;
-        const bicycle_with_accelerometer_population_real c31 = (-state->r_star_plain);
-        const bicycle_with_accelerometer_population_real c32 = c25 + c31;
-        const bicycle_with_accelerometer_population_real c33 = state->eta*(part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
-        const bicycle_with_accelerometer_population_real c34 = c32*c33;
-        const bicycle_with_accelerometer_population_real c35 = c30 + c34*state->pi1 - c26*c27*c28*state->pi1;
-        const bicycle_with_accelerometer_population_real c36 = c34 - c30;
-        const bicycle_with_accelerometer_population_real c37 = (-c8);
-        const bicycle_with_accelerometer_population_real c38 = (-c31) - c26*inv2;
-        const bicycle_with_accelerometer_population_real c39 = c19*inv0;
-        const bicycle_with_accelerometer_population_real c40 = c32*inv2;
-        const bicycle_with_accelerometer_population_real c41 = c33*((-c31) - c40);
-        const bicycle_with_accelerometer_population_real c42 = c33*c40;
-        const bicycle_with_accelerometer_population_real f_v_star = (-c0*(c1*state->r_star + config->L*state->grip*(load0*over0*part0*state->pi1 - c2 - c3*state->pi1) - c4)); /* rate [-] */
-        const bicycle_with_accelerometer_population_real f_r_star = c7*(c2 - c3); /* rate [-] */
-        const bicycle_with_accelerometer_population_real f_v_star_plain = (-c0*(c1*state->r_star_plain + config->L*state->grip*(load1*over1*part1*state->pi1 - c10 - c8) - c4));
-        const bicycle_with_accelerometer_population_real f_r_star_plain = c12;
-        const bicycle_with_accelerometer_population_real J_00 = (-c17*c20*(c13*c14*state->pi1 - c15 - c16*state->pi1));
-        const bicycle_with_accelerometer_population_real J_01 = (-c0*c17*(c1 + config->L*c22*((-c21) - c15*inv2)));
-        const bicycle_with_accelerometer_population_real J_10 = c17*c23*(c15 - c16);
-        const bicycle_with_accelerometer_population_real J_11 = (-c17*c21*c24);
-        const bicycle_with_accelerometer_population_real f_v_star_K = c20*c35;
-        const bicycle_with_accelerometer_population_real f_r_star_K = (-c23*c36);
-        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c6*(state->K*c27*c28*c38*inv0*inv2*inv_L*state->pi1 - c37 - c9 - c29*c38*c39 - c22*c41*inv0*inv2));
-        const bicycle_with_accelerometer_population_real f_r_star_pi1 = c23*(c27*c28*c38 - c41);
-        const bicycle_with_accelerometer_population_real f_v_star_eta = c22*c42*c5;
-        const bicycle_with_accelerometer_population_real f_r_star_eta = (-c24*c42);
+        const bicycle_with_accelerometer_population_real c0 = load0*over0*part0;
+        const bicycle_with_accelerometer_population_real c1 = load2*over2*part2;
+        const bicycle_with_accelerometer_population_real c2 = config->L*(inv_U*inv_U);
+        const bicycle_with_accelerometer_population_real c3 = c2*state->grip;
+        const bicycle_with_accelerometer_population_real c4 = c3*inv1;
+        const bicycle_with_accelerometer_population_real c5 = load1*over1*part1;
+        const bicycle_with_accelerometer_population_real c6 = load3*over3*part3;
+        const bicycle_with_accelerometer_population_real c7 = c6*state->pi1;
+        const bicycle_with_accelerometer_population_real c8 = c5 - c6;
+        const bicycle_with_accelerometer_population_real c9 = c4*c8;
+        const bicycle_with_accelerometer_population_real c10 = (part0*part0);
+        const bicycle_with_accelerometer_population_real c11 = R(1.0) + size0*(R(2.0) + R(2.1)*size0);
+        const bicycle_with_accelerometer_population_real c12 = c10*c11;
+        const bicycle_with_accelerometer_population_real c13 = state->eta*(part2*part2)*(R(1.0) + size2*(R(2.0) + R(2.1)*size2));
+        const bicycle_with_accelerometer_population_real c14 = R(0.16666666666666666)*h;
+        const bicycle_with_accelerometer_population_real c15 = state->K*inv_L;
+        const bicycle_with_accelerometer_population_real c16 = c15*inv2;
+        const bicycle_with_accelerometer_population_real c17 = c16*c2;
+        const bicycle_with_accelerometer_population_real c18 = c13 - c10*c11*inv2*state->pi1;
+        const bicycle_with_accelerometer_population_real c19 = c15*c2;
+        const bicycle_with_accelerometer_population_real c20 = c19*state->pi1;
+        const bicycle_with_accelerometer_population_real c21 = c17*inv1;
+        const bicycle_with_accelerometer_population_real c22 = c19*inv1;
+        const bicycle_with_accelerometer_population_real c23 = state->v_star_plain + state->pi1*state->r_star_plain;
+        const bicycle_with_accelerometer_population_real c24 = c23 - u_plain;
+        const bicycle_with_accelerometer_population_real c25 = (part1*part1);
+        const bicycle_with_accelerometer_population_real c26 = R(1.0) + size1*(R(2.0) + R(2.1)*size1);
+        const bicycle_with_accelerometer_population_real c27 = c25*c26;
+        const bicycle_with_accelerometer_population_real c28 = c24*c27;
+        const bicycle_with_accelerometer_population_real c29 = (-state->r_star_plain);
+        const bicycle_with_accelerometer_population_real c30 = c23 + c29;
+        const bicycle_with_accelerometer_population_real c31 = state->eta*(part3*part3)*(R(1.0) + size3*(R(2.0) + R(2.1)*size3));
+        const bicycle_with_accelerometer_population_real c32 = c30*c31;
+        const bicycle_with_accelerometer_population_real c33 = c28 + c32*state->pi1 - c24*c25*c26*state->pi1;
+        const bicycle_with_accelerometer_population_real c34 = c32 - c28;
+        const bicycle_with_accelerometer_population_real c35 = (-c5);
+        const bicycle_with_accelerometer_population_real c36 = (-c29) - c24*inv2;
+        const bicycle_with_accelerometer_population_real c37 = c16*inv0;
+        const bicycle_with_accelerometer_population_real c38 = c30*inv2;
+        const bicycle_with_accelerometer_population_real c39 = c31*((-c29) - c38);
+        const bicycle_with_accelerometer_population_real c40 = c31*c38;
+        const bicycle_with_accelerometer_population_real f_v_star = (-state->r_star) - c3*(load0*over0*part0*state->pi1 - c0 - c1*state->pi1); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_r_star = c4*(c0 - c1); /* rate [-] */
+        const bicycle_with_accelerometer_population_real f_v_star_plain = (-state->r_star_plain) - c3*(load1*over1*part1*state->pi1 - c5 - c7);
+        const bicycle_with_accelerometer_population_real f_r_star_plain = c9;
+        const bicycle_with_accelerometer_population_real J_00 = (-c14*c17*(c10*c11*state->pi1 - c12 - c13*state->pi1));
+        const bicycle_with_accelerometer_population_real J_01 = (-c14*(R(1.0) + c20*((-c18) - c12*inv2)));
+        const bicycle_with_accelerometer_population_real J_10 = c14*c21*(c12 - c13);
+        const bicycle_with_accelerometer_population_real J_11 = (-c14*c18*c22);
+        const bicycle_with_accelerometer_population_real f_v_star_K = c17*c33;
+        const bicycle_with_accelerometer_population_real f_r_star_K = (-c21*c34);
+        const bicycle_with_accelerometer_population_real f_v_star_pi1 = (-c3*(state->K*c25*c26*c36*inv0*inv2*inv_L*state->pi1 - c35 - c6 - c27*c36*c37 - c37*c39*state->pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_pi1 = c21*(c25*c26*c36 - c39);
+        const bicycle_with_accelerometer_population_real f_v_star_eta = c20*c40;
+        const bicycle_with_accelerometer_population_real f_r_star_eta = (-c22*c40);
         const bicycle_with_accelerometer_population_real f_v_star_rho = R(0.0);
-        const bicycle_with_accelerometer_population_real f_r_star_rho = (-c12);
-        const bicycle_with_accelerometer_population_real f_v_star_grip = (-c6*(c37 + c35*c39 + c8*state->pi1 - c10));
-        const bicycle_with_accelerometer_population_real f_r_star_grip = c7*(c11 + c36*c39);
+        const bicycle_with_accelerometer_population_real f_r_star_rho = (-c9);
+        const bicycle_with_accelerometer_population_real f_v_star_grip = (-c3*(c35 + c33*c37 + c5*state->pi1 - c7));
+        const bicycle_with_accelerometer_population_real f_r_star_grip = c4*(c8 + c34*c37);
         const bicycle_with_accelerometer_population_real f_v_star_place = R(0.0);
         const bicycle_with_accelerometer_population_real f_r_star_place = R(0.0);
-        const bicycle_with_accelerometer_population_real f_v_star_bank = c5;
-        const bicycle_with_accelerometer_population_real f_r_star_bank = R(0.0);
-        const bicycle_with_accelerometer_population_real f_v_star_push = c5;
-        const bicycle_with_accelerometer_population_real f_r_star_push = R(0.0);
-        const bicycle_with_accelerometer_population_real f_v_star_u = (-c20*c29*(R(1.0) - state->pi1));
-        const bicycle_with_accelerometer_population_real f_r_star_u = (-c23*c29);
+        const bicycle_with_accelerometer_population_real f_v_star_u = (-c17*c27*(R(1.0) - state->pi1));
+        const bicycle_with_accelerometer_population_real f_r_star_u = (-c21*c27);
         const bicycle_with_accelerometer_population_real p0 = J_00*J_11 - J_01*J_10;
         const bicycle_with_accelerometer_population_real p1 = (-J_00) - J_11;
         const bicycle_with_accelerometer_population_real n0 = R(1.0) - R(1.5)*p0;
@@ -1165,15 +1004,9 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real F_r_star_grip = G_10*f_v_star_grip + G_11*f_r_star_grip;
         const bicycle_with_accelerometer_population_real F_v_star_place = G_00*f_v_star_place + G_01*f_r_star_place;
         const bicycle_with_accelerometer_population_real F_r_star_place = G_10*f_v_star_place + G_11*f_r_star_place;
-        const bicycle_with_accelerometer_population_real F_v_star_bank = G_00*f_v_star_bank + G_01*f_r_star_bank;
-        const bicycle_with_accelerometer_population_real F_r_star_bank = G_10*f_v_star_bank + G_11*f_r_star_bank;
-        const bicycle_with_accelerometer_population_real F_v_star_push = G_00*f_v_star_push + G_01*f_r_star_push;
-        const bicycle_with_accelerometer_population_real F_r_star_push = G_10*f_v_star_push + G_11*f_r_star_push;
         const bicycle_with_accelerometer_population_real F_v_star_u = G_00*f_v_star_u + G_01*f_r_star_u;
         const bicycle_with_accelerometer_population_real F_r_star_u = G_10*f_v_star_u + G_11*f_r_star_u;
         const bicycle_with_accelerometer_population_real keep_w = ((R(0.0)) > (R(1.0) - config->disturbance_rate*sample->dt) ? R(0.0) : R(1.0) - config->disturbance_rate*sample->dt);
-        const bicycle_with_accelerometer_population_real keep_bank = ((R(0.0)) > (R(1.0) - config->bank_rate*sample->dt) ? R(0.0) : R(1.0) - config->bank_rate*sample->dt);
-        const bicycle_with_accelerometer_population_real keep_push = ((R(0.0)) > (R(1.0) - sample->dt*config->push_rate) ? R(0.0) : R(1.0) - sample->dt*config->push_rate);
         const bicycle_with_accelerometer_population_real w_nominal = (config->disturbance_floor*config->disturbance_floor) + state->activity*(config->disturbance_share*config->disturbance_share)*(inv_output_scale*inv_output_scale); /* nominal variance of the disturbance */
         move = R(0.0);
         diffusion = config->drift + config->faint_drift*((R(0.0)) > (R(1.0) - state->heard*config->inv_telling) ? R(0.0) : R(1.0) - state->heard*config->inv_telling); /* a jump that could not have shown may have come */
@@ -1182,21 +1015,19 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real keep = R(1.0) - lost;
             diffusion = lost*(R(1.0) + keep)/(sample->dt*config->prior_information); /* for long: the prior variance */
             P[3] = P[3]*keep;
-            P[17] = P[17]*keep;
-            P[30] = P[30]*keep;
+            P[15] = P[15]*keep;
+            P[26] = P[26]*keep;
+            P[36] = P[36]*keep;
+            P[37] = P[37]*keep;
+            P[38] = P[38]*keep;
+            P[39] = P[39]*keep;
+            P[40] = P[40]*keep;
+            P[41] = P[41]*keep;
             P[42] = P[42]*keep;
             P[43] = P[43]*keep;
             P[44] = P[44]*keep;
             P[45] = P[45]*keep;
-            P[46] = P[46]*keep;
-            P[47] = P[47]*keep;
-            P[48] = P[48]*keep;
-            P[49] = P[49]*keep;
-            P[50] = P[50]*keep;
-            P[51] = P[51]*keep;
-            P[52] = P[52]*keep;
-            P[53] = P[53]*keep;
-            P[42] = P[42]*keep;
+            P[36] = P[36]*keep;
             const bicycle_with_accelerometer_population_real p = state->K - config->K_prior;
             const bicycle_with_accelerometer_population_real q = state->K + config->K_prior;
             const bicycle_with_accelerometer_population_real pp = (p*p);
@@ -1208,10 +1039,8 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real F_v_star_r_star = M_01*ratio_r_star;
         const bicycle_with_accelerometer_population_real F_r_star_v_star = M_10*ratio_v_star;
         const bicycle_with_accelerometer_population_real F_r_star_r_star = M_11*ratio_r_star;
-        bicycle_with_accelerometer_population_propagate(config, state, sample, steer, F_v_star_K, F_v_star_bank, F_v_star_eta, F_v_star_grip, F_v_star_pi1, F_v_star_place, F_v_star_push, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_bank, F_r_star_eta, F_r_star_grip, F_r_star_pi1, F_r_star_place, F_r_star_push, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, keep_bank, keep_push, w_nominal, diffusion);
+        bicycle_with_accelerometer_population_propagate(config, state, sample, steer, F_v_star_K, F_v_star_eta, F_v_star_grip, F_v_star_pi1, F_v_star_place, F_v_star_r_star, F_v_star_rho, F_v_star_u, F_v_star_v_star, F_r_star_K, F_r_star_eta, F_r_star_grip, F_r_star_pi1, F_r_star_place, F_r_star_r_star, F_r_star_rho, F_r_star_u, F_r_star_v_star, keep_w, w_nominal, diffusion);
         state->disturbance = state->disturbance*keep_w;
-        state->bank = config->bank_prior + keep_bank*(state->bank - config->bank_prior);
-        state->push = config->push_prior + keep_push*(state->push - config->push_prior);
         state->v_star = d_v_star + state->v_star;
         state->r_star = d_r_star + state->r_star;
         const bicycle_with_accelerometer_population_real follow = ((R(1.0)) < (config->companion_rate*sample->dt) ? R(1.0) : config->companion_rate*sample->dt);
@@ -1228,17 +1057,17 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real validity_square = (validity_now*validity_now);
         state->validity = ((validity_square) > (validity_then) ? validity_square : validity_then);
         if (usable > 0) { /* measurement */
-            const bicycle_with_accelerometer_population_real c_1 = P[27] + P[15]*output_scale;
-            const bicycle_with_accelerometer_population_real c_3 = P[52] + P[17]*output_scale;
-            const bicycle_with_accelerometer_population_real c_13 = P[117] + P[27]*output_scale;
+            const bicycle_with_accelerometer_population_real c_1 = P[23] + P[13]*output_scale;
+            const bicycle_with_accelerometer_population_real c_3 = P[44] + P[15]*output_scale;
+            const bicycle_with_accelerometer_population_real c_11 = P[88] + P[23]*output_scale;
             innovation = sample->measured - predicted;
-            innovation_variance = c_13 + noise + c_1*output_scale;
+            innovation_variance = c_11 + noise + c_1*output_scale;
             inv_spread = (R(1.0)/innovation_variance);
             const bicycle_with_accelerometer_population_real nis = inv_spread*(innovation*innovation); /* normalised innovation squared */
             if (nis > config->outlier_ratio) { /* an outlier counts for less */
                 inv_spread = inv_spread*config->outlier_ratio/nis;
             }
-            const bicycle_with_accelerometer_population_real inv_P = (R(1.0)/P[42]);
+            const bicycle_with_accelerometer_population_real inv_P = (R(1.0)/P[36]);
             const bicycle_with_accelerometer_population_real sensitivity = c_3*inv_P; /* of the output to ln K */
             state->excitation = state->excitation + ((sensitivity*sensitivity) - state->excitation)*((R(1.0)) < (sample->dt*config->excitation_rate) ? R(1.0) : sample->dt*config->excitation_rate);
             state->excited = (state->excitation > config->excitation_ratio*noise ? R(1.0) : R(0.0));
@@ -1261,15 +1090,15 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             move = move + gain_3*innovation;
-            bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_13, c_3, gain_3, innovation);
+            bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_11, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
             const bicycle_with_accelerometer_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
             state->noise_scale = ((state->noise_scale) > (config->noise_scale_low) ? state->noise_scale : config->noise_scale_low);
             state->noise_scale = ((state->noise_scale) < (config->noise_scale_high) ? state->noise_scale : config->noise_scale_high);
             const bicycle_with_accelerometer_population_real expected = state->disturbance_scale*w_nominal; /* disturbance variance expected */
-            const bicycle_with_accelerometer_population_real seen = ((R(9.0)*expected) < (P[29] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[29] + (state->disturbance*state->disturbance)); /* and seen */
-            const bicycle_with_accelerometer_population_real unseen = ((expected*config->observed_least) > (expected - P[29]) ? expected*config->observed_least : expected - P[29]);
+            const bicycle_with_accelerometer_population_real seen = ((R(9.0)*expected) < (P[25] + (state->disturbance*state->disturbance)) ? R(9.0)*expected : P[25] + (state->disturbance*state->disturbance)); /* and seen */
+            const bicycle_with_accelerometer_population_real unseen = ((expected*config->observed_least) > (expected - P[25]) ? expected*config->observed_least : expected - P[25]);
             state->disturbance_scale = state->disturbance_scale + state->disturbance_scale*(seen - expected)*((R(1.0)) < (config->disturbance_adapt*sample->dt) ? R(1.0) : config->disturbance_adapt*sample->dt)/unseen;
             state->disturbance_scale = ((state->disturbance_scale) > (config->disturbance_scale_low) ? state->disturbance_scale : config->disturbance_scale_low);
             state->disturbance_scale = ((state->disturbance_scale) < (config->disturbance_scale_high) ? state->disturbance_scale : config->disturbance_scale_high);
@@ -1285,99 +1114,94 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_u_plain = state->input_scale*u_now;
                 const bicycle_with_accelerometer_population_real ay_s0 = state->v_star + state->pi1*state->r_star;
                 const bicycle_with_accelerometer_population_real ay_s1 = ay_s0 - ay_u;
-                const bicycle_with_accelerometer_population_real ay_s2 = (R(1.0)/state->grip);
-                const bicycle_with_accelerometer_population_real ay_s3 = (R(1.0)/(state->pi1 - R(1.0)));
-                const bicycle_with_accelerometer_population_real ay_s4 = state->K*inv_L;
-                const bicycle_with_accelerometer_population_real ay_s5 = ay_s3*ay_s4;
-                const bicycle_with_accelerometer_population_real ay_s6 = ay_s2*ay_s5;
-                const bicycle_with_accelerometer_population_real ay_s7 = ay_s1*ay_s6;
-                const bicycle_with_accelerometer_population_real ay_s8 = (((-ay_s7)) > (ay_s7) ? (-ay_s7) : ay_s7);
-                const bicycle_with_accelerometer_population_real ay_s9 = R(10.0) + ay_s8*(R(10.0) + R(7.0)*ay_s8);
-                const bicycle_with_accelerometer_population_real ay_s10 = R(10.0) + ay_s8*ay_s9;
-                const bicycle_with_accelerometer_population_real ay_s11 = (R(1.0)/ay_s10);
-                const bicycle_with_accelerometer_population_real ay_s12 = ay_s1*ay_s11*ay_s9;
-                const bicycle_with_accelerometer_population_real ay_s13 = state->eta*(ay_s0 - state->r_star);
-                const bicycle_with_accelerometer_population_real ay_s14 = ay_s13*ay_s6;
-                const bicycle_with_accelerometer_population_real ay_s15 = (((-ay_s14)) > (ay_s14) ? (-ay_s14) : ay_s14);
-                const bicycle_with_accelerometer_population_real ay_s16 = R(10.0) + ay_s15*(R(10.0) + R(7.0)*ay_s15);
-                const bicycle_with_accelerometer_population_real ay_s17 = R(10.0) + ay_s15*ay_s16;
-                const bicycle_with_accelerometer_population_real ay_s18 = ay_s13*ay_s16/ay_s17;
-                const bicycle_with_accelerometer_population_real ay_s19 = (R(1.0)/state->rho);
-                const bicycle_with_accelerometer_population_real ay_s20 = state->pi1 - state->place;
-                const bicycle_with_accelerometer_population_real ay_s21 = ay_s19*ay_s20;
-                const bicycle_with_accelerometer_population_real ay_s22 = config->L*ay_scale*(inv_U*inv_U);
-                const bicycle_with_accelerometer_population_real ay_s23 = R(10.0) + ay_s8*(R(20.0) + R(21.0)*ay_s8);
-                const bicycle_with_accelerometer_population_real ay_s24 = (R(1.0)/(ay_s10*ay_s10));
+                const bicycle_with_accelerometer_population_real ay_s2 = (R(1.0)/(state->pi1 - R(1.0)));
+                const bicycle_with_accelerometer_population_real ay_s3 = state->K*inv_L;
+                const bicycle_with_accelerometer_population_real ay_s4 = ay_s3/state->grip;
+                const bicycle_with_accelerometer_population_real ay_s5 = ay_s2*ay_s4;
+                const bicycle_with_accelerometer_population_real ay_s6 = ay_s1*ay_s5;
+                const bicycle_with_accelerometer_population_real ay_s7 = (((-ay_s6)) > (ay_s6) ? (-ay_s6) : ay_s6);
+                const bicycle_with_accelerometer_population_real ay_s8 = R(10.0) + ay_s7*(R(10.0) + R(7.0)*ay_s7);
+                const bicycle_with_accelerometer_population_real ay_s9 = R(10.0) + ay_s7*ay_s8;
+                const bicycle_with_accelerometer_population_real ay_s10 = (R(1.0)/ay_s9);
+                const bicycle_with_accelerometer_population_real ay_s11 = ay_s1*ay_s10*ay_s8;
+                const bicycle_with_accelerometer_population_real ay_s12 = state->eta*(ay_s0 - state->r_star);
+                const bicycle_with_accelerometer_population_real ay_s13 = ay_s12*ay_s5;
+                const bicycle_with_accelerometer_population_real ay_s14 = (((-ay_s13)) > (ay_s13) ? (-ay_s13) : ay_s13);
+                const bicycle_with_accelerometer_population_real ay_s15 = R(10.0) + ay_s14*(R(10.0) + R(7.0)*ay_s14);
+                const bicycle_with_accelerometer_population_real ay_s16 = R(10.0) + ay_s14*ay_s15;
+                const bicycle_with_accelerometer_population_real ay_s17 = ay_s12*ay_s15/ay_s16;
+                const bicycle_with_accelerometer_population_real ay_s18 = (R(1.0)/state->rho);
+                const bicycle_with_accelerometer_population_real ay_s19 = state->pi1 - state->place;
+                const bicycle_with_accelerometer_population_real ay_s20 = ay_s18*ay_s19;
+                const bicycle_with_accelerometer_population_real ay_s21 = config->L*ay_s3*ay_scale*(inv_U*inv_U);
+                const bicycle_with_accelerometer_population_real ay_s22 = ay_s2*ay_s21;
+                const bicycle_with_accelerometer_population_real ay_s23 = R(10.0) + ay_s7*(R(20.0) + R(21.0)*ay_s7);
+                const bicycle_with_accelerometer_population_real ay_s24 = (R(1.0)/(ay_s9*ay_s9));
                 const bicycle_with_accelerometer_population_real ay_s25 = ay_s23*ay_s24;
-                const bicycle_with_accelerometer_population_real ay_s26 = state->eta*(R(10.0) + ay_s15*(R(20.0) + R(21.0)*ay_s15))/((ay_s17*ay_s17));
+                const bicycle_with_accelerometer_population_real ay_s26 = state->eta*(R(10.0) + ay_s14*(R(20.0) + R(21.0)*ay_s14))/((ay_s16*ay_s16));
                 const bicycle_with_accelerometer_population_real ay_s27 = R(10.0)*ay_s22;
-                const bicycle_with_accelerometer_population_real ay_s28 = ay_s27*ay_s5;
-                const bicycle_with_accelerometer_population_real ay_s29 = ay_s26 - ay_s23*ay_s24*ay_s3*state->pi1;
-                const bicycle_with_accelerometer_population_real ay_s30 = ay_s25*ay_s3;
-                const bicycle_with_accelerometer_population_real ay_s31 = ay_s27*ay_s4;
-                const bicycle_with_accelerometer_population_real ay_s32 = state->v_star_plain + state->pi1*state->r_star_plain;
-                const bicycle_with_accelerometer_population_real ay_s33 = ay_s32 - ay_u_plain;
-                const bicycle_with_accelerometer_population_real ay_s34 = ay_s3*ay_s33;
-                const bicycle_with_accelerometer_population_real ay_s35 = ay_s2*ay_s4;
-                const bicycle_with_accelerometer_population_real ay_s36 = ay_s34*ay_s35;
-                const bicycle_with_accelerometer_population_real ay_s37 = (((-ay_s36)) > (ay_s36) ? (-ay_s36) : ay_s36);
-                const bicycle_with_accelerometer_population_real ay_s38 = R(10.0) + ay_s37*(R(10.0) + R(7.0)*ay_s37);
-                const bicycle_with_accelerometer_population_real ay_s39 = R(10.0) + ay_s37*ay_s38;
-                const bicycle_with_accelerometer_population_real ay_s40 = (R(1.0)/(ay_s39*ay_s39));
-                const bicycle_with_accelerometer_population_real ay_s41 = R(10.0) + ay_s37*(R(20.0) + R(21.0)*ay_s37);
-                const bicycle_with_accelerometer_population_real ay_s42 = ay_s40*ay_s41;
-                const bicycle_with_accelerometer_population_real ay_s43 = ay_s33*ay_s42;
-                const bicycle_with_accelerometer_population_real ay_s44 = ay_s43*state->pi1;
-                const bicycle_with_accelerometer_population_real ay_s45 = ay_s32 - state->r_star_plain;
-                const bicycle_with_accelerometer_population_real ay_s46 = ay_s45*state->eta;
-                const bicycle_with_accelerometer_population_real ay_s47 = ay_s3*ay_s45;
-                const bicycle_with_accelerometer_population_real ay_s48 = ay_s35*ay_s47*state->eta;
-                const bicycle_with_accelerometer_population_real ay_s49 = (((-ay_s48)) > (ay_s48) ? (-ay_s48) : ay_s48);
-                const bicycle_with_accelerometer_population_real ay_s50 = R(10.0) + ay_s49*(R(10.0) + R(7.0)*ay_s49);
-                const bicycle_with_accelerometer_population_real ay_s51 = R(10.0) + ay_s49*ay_s50;
-                const bicycle_with_accelerometer_population_real ay_s52 = (R(10.0) + ay_s49*(R(20.0) + R(21.0)*ay_s49))/((ay_s51*ay_s51));
-                const bicycle_with_accelerometer_population_real ay_s53 = ay_s46*ay_s52;
-                const bicycle_with_accelerometer_population_real ay_s54 = ay_s53*state->pi1;
-                const bicycle_with_accelerometer_population_real ay_s55 = ay_s53 - ay_s33*ay_s40*ay_s41;
-                const bicycle_with_accelerometer_population_real ay_s56 = ay_s33*ay_s38/ay_s39;
-                const bicycle_with_accelerometer_population_real ay_s57 = ay_s46*ay_s50/ay_s51;
-                const bicycle_with_accelerometer_population_real ay_s58 = ay_s57 - ay_s56;
-                const bicycle_with_accelerometer_population_real ay_s59 = (-ay_s19*ay_s58);
-                const bicycle_with_accelerometer_population_real ay_s60 = state->r_star_plain - ay_s34;
-                const bicycle_with_accelerometer_population_real ay_s61 = ay_s52*state->eta;
-                const bicycle_with_accelerometer_population_real ay_s62 = ay_s61*(state->r_star_plain - ay_s47);
-                const bicycle_with_accelerometer_population_real ay_s63 = R(10.0)*ay_s21;
-                const bicycle_with_accelerometer_population_real ay_s64 = R(10.0)*ay_s42*ay_s60;
-                const bicycle_with_accelerometer_population_real ay_s65 = ay_s22*ay_s5;
-                const bicycle_with_accelerometer_population_real ay_s66 = ay_s20*ay_s59;
-                const bicycle_with_accelerometer_population_real ay_response = ay_s22*(state->push + ay_s21*ay_s5*(ay_s12 - ay_s18) - ay_s5*(ay_s1*ay_s11*ay_s9*state->pi1 - ay_s12 - ay_s18*state->pi1));
-                const bicycle_with_accelerometer_population_real ay_by_v_star = ay_s28*(ay_s25 + ay_s21*(ay_s23*ay_s24 - ay_s26) + ay_s26*state->pi1 - ay_s25*state->pi1);
-                const bicycle_with_accelerometer_population_real ay_by_r_star = ay_s31*((-state->pi1*((-ay_s29) - ay_s30)) - ay_s19*ay_s20*ay_s29);
-                const bicycle_with_accelerometer_population_real ay_by_K = ay_s28*(ay_s43 + ay_s54 - ay_s44 - ay_s21*ay_s55);
-                const bicycle_with_accelerometer_population_real ay_by_pi1 = ay_s65*(ay_s58 + ay_s59 + ay_s64 + R(10.0)*ay_s62*state->pi1 + ay_s63*(ay_s40*ay_s41*ay_s60 - ay_s62) - ay_s64*state->pi1);
-                const bicycle_with_accelerometer_population_real ay_by_eta = ay_s31*ay_s47*ay_s61*(state->pi1 - ay_s21);
-                const bicycle_with_accelerometer_population_real ay_by_rho = (-ay_s65*ay_s66);
-                const bicycle_with_accelerometer_population_real ay_by_grip = ay_s65*(R(10.0)*ay_s44 + ay_s56 + ay_s66 + ay_s55*ay_s63 + ay_s57*state->pi1 - R(10.0)*ay_s43 - R(10.0)*ay_s54 - ay_s56*state->pi1);
-                const bicycle_with_accelerometer_population_real ay_by_place = (-ay_s59*ay_s65);
-                const bicycle_with_accelerometer_population_real ay_by_push = ay_s22;
-                const bicycle_with_accelerometer_population_real ay_by_u = (-ay_s30*ay_s31*(R(1.0) + ay_s21 - state->pi1));
+                const bicycle_with_accelerometer_population_real ay_s28 = ay_s26 - ay_s2*ay_s23*ay_s24*state->pi1;
+                const bicycle_with_accelerometer_population_real ay_s29 = ay_s2*ay_s25;
+                const bicycle_with_accelerometer_population_real ay_s30 = R(10.0)*ay_s21;
+                const bicycle_with_accelerometer_population_real ay_s31 = state->v_star_plain + state->pi1*state->r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s32 = ay_s31 - ay_u_plain;
+                const bicycle_with_accelerometer_population_real ay_s33 = ay_s2*ay_s32;
+                const bicycle_with_accelerometer_population_real ay_s34 = ay_s33*ay_s4;
+                const bicycle_with_accelerometer_population_real ay_s35 = (((-ay_s34)) > (ay_s34) ? (-ay_s34) : ay_s34);
+                const bicycle_with_accelerometer_population_real ay_s36 = R(10.0) + ay_s35*(R(10.0) + R(7.0)*ay_s35);
+                const bicycle_with_accelerometer_population_real ay_s37 = R(10.0) + ay_s35*ay_s36;
+                const bicycle_with_accelerometer_population_real ay_s38 = (R(1.0)/(ay_s37*ay_s37));
+                const bicycle_with_accelerometer_population_real ay_s39 = R(10.0) + ay_s35*(R(20.0) + R(21.0)*ay_s35);
+                const bicycle_with_accelerometer_population_real ay_s40 = ay_s38*ay_s39;
+                const bicycle_with_accelerometer_population_real ay_s41 = ay_s32*ay_s40;
+                const bicycle_with_accelerometer_population_real ay_s42 = ay_s41*state->pi1;
+                const bicycle_with_accelerometer_population_real ay_s43 = ay_s31 - state->r_star_plain;
+                const bicycle_with_accelerometer_population_real ay_s44 = ay_s43*state->eta;
+                const bicycle_with_accelerometer_population_real ay_s45 = ay_s2*ay_s43;
+                const bicycle_with_accelerometer_population_real ay_s46 = ay_s4*ay_s45*state->eta;
+                const bicycle_with_accelerometer_population_real ay_s47 = (((-ay_s46)) > (ay_s46) ? (-ay_s46) : ay_s46);
+                const bicycle_with_accelerometer_population_real ay_s48 = R(10.0) + ay_s47*(R(10.0) + R(7.0)*ay_s47);
+                const bicycle_with_accelerometer_population_real ay_s49 = R(10.0) + ay_s47*ay_s48;
+                const bicycle_with_accelerometer_population_real ay_s50 = (R(10.0) + ay_s47*(R(20.0) + R(21.0)*ay_s47))/((ay_s49*ay_s49));
+                const bicycle_with_accelerometer_population_real ay_s51 = ay_s44*ay_s50;
+                const bicycle_with_accelerometer_population_real ay_s52 = ay_s51*state->pi1;
+                const bicycle_with_accelerometer_population_real ay_s53 = ay_s51 - ay_s32*ay_s38*ay_s39;
+                const bicycle_with_accelerometer_population_real ay_s54 = ay_s32*ay_s36/ay_s37;
+                const bicycle_with_accelerometer_population_real ay_s55 = ay_s44*ay_s48/ay_s49;
+                const bicycle_with_accelerometer_population_real ay_s56 = ay_s55 - ay_s54;
+                const bicycle_with_accelerometer_population_real ay_s57 = (-ay_s18*ay_s56);
+                const bicycle_with_accelerometer_population_real ay_s58 = state->r_star_plain - ay_s33;
+                const bicycle_with_accelerometer_population_real ay_s59 = ay_s50*state->eta;
+                const bicycle_with_accelerometer_population_real ay_s60 = ay_s59*(state->r_star_plain - ay_s45);
+                const bicycle_with_accelerometer_population_real ay_s61 = R(10.0)*ay_s20;
+                const bicycle_with_accelerometer_population_real ay_s62 = R(10.0)*ay_s40*ay_s58;
+                const bicycle_with_accelerometer_population_real ay_s63 = ay_s19*ay_s57;
+                const bicycle_with_accelerometer_population_real ay_response = ay_s22*(ay_s11 + ay_s17*state->pi1 + ay_s20*(ay_s1*ay_s10*ay_s8 - ay_s17) - ay_s11*state->pi1);
+                const bicycle_with_accelerometer_population_real ay_by_v_star = ay_s27*(ay_s25 + ay_s20*(ay_s23*ay_s24 - ay_s26) + ay_s26*state->pi1 - ay_s25*state->pi1);
+                const bicycle_with_accelerometer_population_real ay_by_r_star = ay_s30*((-state->pi1*((-ay_s28) - ay_s29)) - ay_s18*ay_s19*ay_s28);
+                const bicycle_with_accelerometer_population_real ay_by_K = ay_s27*(ay_s41 + ay_s52 - ay_s42 - ay_s20*ay_s53);
+                const bicycle_with_accelerometer_population_real ay_by_pi1 = ay_s22*(ay_s56 + ay_s57 + ay_s62 + R(10.0)*ay_s60*state->pi1 + ay_s61*(ay_s38*ay_s39*ay_s58 - ay_s60) - ay_s62*state->pi1);
+                const bicycle_with_accelerometer_population_real ay_by_eta = ay_s30*ay_s45*ay_s59*(state->pi1 - ay_s20);
+                const bicycle_with_accelerometer_population_real ay_by_rho = (-ay_s22*ay_s63);
+                const bicycle_with_accelerometer_population_real ay_by_grip = ay_s22*(R(10.0)*ay_s42 + ay_s54 + ay_s63 + ay_s53*ay_s61 + ay_s55*state->pi1 - R(10.0)*ay_s41 - R(10.0)*ay_s52 - ay_s54*state->pi1);
+                const bicycle_with_accelerometer_population_real ay_by_place = (-ay_s22*ay_s57);
+                const bicycle_with_accelerometer_population_real ay_by_u = (-ay_s29*ay_s30*(R(1.0) + ay_s20 - state->pi1));
                 state->ay_activity = state->ay_activity + ((ay_response*ay_response) - state->ay_activity)*((R(1.0)) < (config->activity_rate*sample->dt) ? R(1.0) : config->activity_rate*sample->dt);
                 const bicycle_with_accelerometer_population_real ay_noise = state->ay_noise_scale*(config->ay_variance + state->ay_activity*(config->ay_share*config->ay_share))*((R(1.0)) > (R(2.0)*config->ay_time*inv_dt) ? R(1.0) : R(2.0)*config->ay_time*inv_dt); /* variance of ay */
-                const bicycle_with_accelerometer_population_real ay_c_0 = (P[14] + P[0]*ay_by_v_star + P[1]*ay_by_r_star + P[10]*ay_by_push + P[12]*ay_by_u + P[2]*ay_by_u) + (P[3]*ay_by_K + P[4]*ay_by_pi1 + P[5]*ay_by_eta + P[6]*ay_by_rho + P[7]*ay_by_grip + P[8]*ay_by_place + P[11]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_1 = (P[28] + P[1]*ay_by_v_star + P[15]*ay_by_r_star + P[16]*ay_by_u + P[17]*ay_by_K + P[18]*ay_by_pi1) + (P[19]*ay_by_eta + P[20]*ay_by_rho + P[21]*ay_by_grip + P[22]*ay_by_place + P[24]*ay_by_push + P[26]*ay_by_u + P[25]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_2 = (P[41] + P[16]*ay_by_r_star + P[2]*ay_by_v_star + P[29]*ay_by_u + P[30]*ay_by_K + P[31]*ay_by_pi1) + (P[32]*ay_by_eta + P[33]*ay_by_rho + P[34]*ay_by_grip + P[35]*ay_by_place + P[37]*ay_by_push + P[39]*ay_by_u + P[38]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_3 = (P[53] + P[17]*ay_by_r_star + P[3]*ay_by_v_star + P[30]*ay_by_u + P[42]*ay_by_K + P[43]*ay_by_pi1) + (P[44]*ay_by_eta + P[45]*ay_by_rho + P[46]*ay_by_grip + P[47]*ay_by_place + P[49]*ay_by_push + P[51]*ay_by_u + P[50]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_4 = (P[64] + P[18]*ay_by_r_star + P[31]*ay_by_u + P[4]*ay_by_v_star + P[43]*ay_by_K + P[54]*ay_by_pi1) + (P[55]*ay_by_eta + P[56]*ay_by_rho + P[57]*ay_by_grip + P[58]*ay_by_place + P[60]*ay_by_push + P[62]*ay_by_u + P[61]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_5 = (P[74] + P[19]*ay_by_r_star + P[32]*ay_by_u + P[44]*ay_by_K + P[5]*ay_by_v_star + P[55]*ay_by_pi1) + (P[65]*ay_by_eta + P[66]*ay_by_rho + P[67]*ay_by_grip + P[68]*ay_by_place + P[70]*ay_by_push + P[72]*ay_by_u + P[71]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_6 = (P[83] + P[20]*ay_by_r_star + P[33]*ay_by_u + P[45]*ay_by_K + P[56]*ay_by_pi1 + P[6]*ay_by_v_star) + (P[66]*ay_by_eta + P[75]*ay_by_rho + P[76]*ay_by_grip + P[77]*ay_by_place + P[79]*ay_by_push + P[81]*ay_by_u + P[80]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_7 = (P[91] + P[21]*ay_by_r_star + P[34]*ay_by_u + P[46]*ay_by_K + P[57]*ay_by_pi1 + P[67]*ay_by_eta) + (P[7]*ay_by_v_star + P[76]*ay_by_rho + P[84]*ay_by_grip + P[85]*ay_by_place + P[87]*ay_by_push + P[89]*ay_by_u + P[88]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_8 = (P[98] + P[22]*ay_by_r_star + P[35]*ay_by_u + P[47]*ay_by_K + P[58]*ay_by_pi1 + P[68]*ay_by_eta) + (P[77]*ay_by_rho + P[8]*ay_by_v_star + P[85]*ay_by_grip + P[92]*ay_by_place + P[94]*ay_by_push + P[96]*ay_by_u + P[95]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_10 = (P[109] + P[10]*ay_by_v_star + P[105]*ay_by_push + P[107]*ay_by_u + P[24]*ay_by_r_star + P[37]*ay_by_u) + (P[49]*ay_by_K + P[60]*ay_by_pi1 + P[70]*ay_by_eta + P[79]*ay_by_rho + P[87]*ay_by_grip + P[94]*ay_by_place + P[106]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_11 = (P[113] + P[106]*ay_by_push + P[11]*ay_by_v_star + P[111]*ay_by_u + P[25]*ay_by_r_star + P[38]*ay_by_u) + (P[50]*ay_by_K + P[61]*ay_by_pi1 + P[71]*ay_by_eta + P[80]*ay_by_rho + P[88]*ay_by_grip + P[95]*ay_by_place + P[110]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_12 = (P[116] + P[107]*ay_by_push + P[114]*ay_by_u + P[12]*ay_by_v_star + P[26]*ay_by_r_star + P[39]*ay_by_u) + (P[51]*ay_by_K + P[62]*ay_by_pi1 + P[72]*ay_by_eta + P[81]*ay_by_rho + P[89]*ay_by_grip + P[96]*ay_by_place + P[111]*ay_by_u*state->input_scale*u_now);
-                const bicycle_with_accelerometer_population_real ay_c_14 = (P[119] + P[109]*ay_by_push + P[116]*ay_by_u + P[14]*ay_by_v_star + P[28]*ay_by_r_star + P[41]*ay_by_u) + (P[53]*ay_by_K + P[64]*ay_by_pi1 + P[74]*ay_by_eta + P[83]*ay_by_rho + P[91]*ay_by_grip + P[98]*ay_by_place + P[113]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_0 = (P[12] + P[0]*ay_by_v_star + P[1]*ay_by_r_star + P[10]*ay_by_u + P[2]*ay_by_u + P[3]*ay_by_K) + (P[4]*ay_by_pi1 + P[5]*ay_by_eta + P[6]*ay_by_rho + P[7]*ay_by_grip + P[8]*ay_by_place + P[9]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_1 = (P[24] + P[1]*ay_by_v_star + P[13]*ay_by_r_star + P[14]*ay_by_u + P[15]*ay_by_K + P[16]*ay_by_pi1) + (P[17]*ay_by_eta + P[18]*ay_by_rho + P[19]*ay_by_grip + P[20]*ay_by_place + P[22]*ay_by_u + P[21]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_2 = (P[35] + P[14]*ay_by_r_star + P[2]*ay_by_v_star + P[25]*ay_by_u + P[26]*ay_by_K + P[27]*ay_by_pi1) + (P[28]*ay_by_eta + P[29]*ay_by_rho + P[30]*ay_by_grip + P[31]*ay_by_place + P[33]*ay_by_u + P[32]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_3 = (P[45] + P[15]*ay_by_r_star + P[26]*ay_by_u + P[3]*ay_by_v_star + P[36]*ay_by_K + P[37]*ay_by_pi1) + (P[38]*ay_by_eta + P[39]*ay_by_rho + P[40]*ay_by_grip + P[41]*ay_by_place + P[43]*ay_by_u + P[42]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_4 = (P[54] + P[16]*ay_by_r_star + P[27]*ay_by_u + P[37]*ay_by_K + P[4]*ay_by_v_star + P[46]*ay_by_pi1) + (P[47]*ay_by_eta + P[48]*ay_by_rho + P[49]*ay_by_grip + P[50]*ay_by_place + P[52]*ay_by_u + P[51]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_5 = (P[62] + P[17]*ay_by_r_star + P[28]*ay_by_u + P[38]*ay_by_K + P[47]*ay_by_pi1 + P[5]*ay_by_v_star) + (P[55]*ay_by_eta + P[56]*ay_by_rho + P[57]*ay_by_grip + P[58]*ay_by_place + P[60]*ay_by_u + P[59]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_6 = (P[69] + P[18]*ay_by_r_star + P[29]*ay_by_u + P[39]*ay_by_K + P[48]*ay_by_pi1 + P[56]*ay_by_eta) + (P[6]*ay_by_v_star + P[63]*ay_by_rho + P[64]*ay_by_grip + P[65]*ay_by_place + P[67]*ay_by_u + P[66]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_7 = (P[75] + P[19]*ay_by_r_star + P[30]*ay_by_u + P[40]*ay_by_K + P[49]*ay_by_pi1 + P[57]*ay_by_eta) + (P[64]*ay_by_rho + P[7]*ay_by_v_star + P[70]*ay_by_grip + P[71]*ay_by_place + P[73]*ay_by_u + P[72]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_8 = (P[80] + P[20]*ay_by_r_star + P[31]*ay_by_u + P[41]*ay_by_K + P[50]*ay_by_pi1 + P[58]*ay_by_eta) + (P[65]*ay_by_rho + P[71]*ay_by_grip + P[76]*ay_by_place + P[78]*ay_by_u + P[8]*ay_by_v_star + P[77]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_9 = (P[84] + P[21]*ay_by_r_star + P[32]*ay_by_u + P[42]*ay_by_K + P[51]*ay_by_pi1 + P[59]*ay_by_eta) + (P[66]*ay_by_rho + P[72]*ay_by_grip + P[77]*ay_by_place + P[82]*ay_by_u + P[9]*ay_by_v_star + P[81]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_10 = (P[87] + P[10]*ay_by_v_star + P[22]*ay_by_r_star + P[33]*ay_by_u + P[43]*ay_by_K + P[52]*ay_by_pi1) + (P[60]*ay_by_eta + P[67]*ay_by_rho + P[73]*ay_by_grip + P[78]*ay_by_place + P[85]*ay_by_u + P[82]*ay_by_u*state->input_scale*u_now);
+                const bicycle_with_accelerometer_population_real ay_c_12 = (P[90] + P[12]*ay_by_v_star + P[24]*ay_by_r_star + P[35]*ay_by_u + P[45]*ay_by_K + P[54]*ay_by_pi1) + (P[62]*ay_by_eta + P[69]*ay_by_rho + P[75]*ay_by_grip + P[80]*ay_by_place + P[87]*ay_by_u + P[84]*ay_by_u*state->input_scale*u_now);
                 const bicycle_with_accelerometer_population_real ay_innovation = sample->ay_measured - state->ay_bias - ay_response - ay_by_K*move;
-                ay_inv_spread = (R(1.0)/((ay_c_14 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4 + ay_by_place*ay_c_8) + (ay_by_push*ay_c_10 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_12 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_11*state->input_scale*u_now)));
+                ay_inv_spread = (R(1.0)/((ay_c_12 + ay_noise + ay_by_K*ay_c_3 + ay_by_eta*ay_c_5 + ay_by_grip*ay_c_7 + ay_by_pi1*ay_c_4) + (ay_by_place*ay_c_8 + ay_by_r_star*ay_c_1 + ay_by_rho*ay_c_6 + ay_by_u*ay_c_10 + ay_by_u*ay_c_2 + ay_by_v_star*ay_c_0 + ay_by_u*ay_c_9*state->input_scale*u_now)));
                 const bicycle_with_accelerometer_population_real ay_nis = ay_inv_spread*(ay_innovation*ay_innovation); /* normalised innovation squared */
                 if (ay_nis > config->outlier_ratio) { /* an outlier counts for less */
                     ay_inv_spread = ay_inv_spread*config->outlier_ratio/ay_nis;
@@ -1386,11 +1210,11 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_learn_slow = (learn_slow > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_seldom = (learn_seldom > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_gain_3 = ay_c_3*ay_learn;
-                const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[42]);
+                const bicycle_with_accelerometer_population_real ay_inv_P = (R(1.0)/P[36]);
                 const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
                 state->information = state->information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
                 move = move + ay_gain_3*ay_innovation;
-                bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_push, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_c_8, ay_c_10, ay_c_11, ay_c_12, ay_c_14, ay_c_3, ay_gain_3, ay_innovation);
+                bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_c_8, ay_c_9, ay_c_10, ay_c_12, ay_c_3, ay_gain_3, ay_innovation);
                 const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
                 state->ay_noise_scale = state->ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
                 state->ay_noise_scale = ((state->ay_noise_scale) > (config->ay_noise_scale_low) ? state->ay_noise_scale : config->ay_noise_scale_low);
@@ -1400,15 +1224,13 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         const bicycle_with_accelerometer_population_real above_move = (((-R(1.0))) > (move) ? (-R(1.0)) : move);
         const bicycle_with_accelerometer_population_real bounded_move = ((R(1.0)) < (above_move) ? R(1.0) : above_move);
         state->K = state->K*(R(1.0) + bounded_move*(R(1.0) + bounded_move*(R(0.5) + R(0.16666666666666666)*bounded_move)));
-        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->bank < config->bank_low) || (state->bank > config->bank_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->grip < config->grip_low) || (state->grip > config->grip_high) || (state->input_scale < config->input_scale_low) || (state->input_scale > config->input_scale_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->place < config->place_low) || (state->place > config->place_high) || (state->push < config->push_low) || (state->push > config->push_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
+        if ((state->K < config->K_low) || (state->K > config->K_high) || (state->eta < config->eta_low) || (state->eta > config->eta_high) || (state->grip < config->grip_low) || (state->grip > config->grip_high) || (state->input_scale < config->input_scale_low) || (state->input_scale > config->input_scale_high) || (state->pi1 < config->pi1_low) || (state->pi1 > config->pi1_high) || (state->place < config->place_low) || (state->place > config->place_high) || (state->rho < config->rho_low) || (state->rho > config->rho_high)) { /* prior +- its allowed range */
             state->K = ((config->K_high) < (((state->K) > (config->K_low) ? state->K : config->K_low)) ? config->K_high : ((state->K) > (config->K_low) ? state->K : config->K_low));
             state->pi1 = ((config->pi1_high) < (((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low)) ? config->pi1_high : ((state->pi1) > (config->pi1_low) ? state->pi1 : config->pi1_low));
             state->eta = ((config->eta_high) < (((state->eta) > (config->eta_low) ? state->eta : config->eta_low)) ? config->eta_high : ((state->eta) > (config->eta_low) ? state->eta : config->eta_low));
             state->rho = ((config->rho_high) < (((state->rho) > (config->rho_low) ? state->rho : config->rho_low)) ? config->rho_high : ((state->rho) > (config->rho_low) ? state->rho : config->rho_low));
             state->grip = ((config->grip_high) < (((state->grip) > (config->grip_low) ? state->grip : config->grip_low)) ? config->grip_high : ((state->grip) > (config->grip_low) ? state->grip : config->grip_low));
             state->place = ((config->place_high) < (((state->place) > (config->place_low) ? state->place : config->place_low)) ? config->place_high : ((state->place) > (config->place_low) ? state->place : config->place_low));
-            state->bank = ((config->bank_high) < (((state->bank) > (config->bank_low) ? state->bank : config->bank_low)) ? config->bank_high : ((state->bank) > (config->bank_low) ? state->bank : config->bank_low));
-            state->push = ((config->push_high) < (((state->push) > (config->push_low) ? state->push : config->push_low)) ? config->push_high : ((state->push) > (config->push_low) ? state->push : config->push_low));
             state->input_scale = ((config->input_scale_high) < (((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low)) ? config->input_scale_high : ((state->input_scale) > (config->input_scale_low) ? state->input_scale : config->input_scale_low));
             if (usable > 0) {
                 status = 3;
@@ -1427,15 +1249,13 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
-    variance = P[42];
+    variance = P[36];
     information_gained = state->information;
     pi1_now = state->pi1;
     eta_now = state->eta;
     rho_now = state->rho;
     grip_now = state->grip;
     place_now = state->place;
-    bank_now = state->bank;
-    push_now = state->push;
     offset_now = state->input_offset;
     bias_now = state->output_bias;
 
@@ -1450,8 +1270,6 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     output->rho_now = rho_now;
     output->grip_now = grip_now;
     output->place_now = place_now;
-    output->bank_now = bank_now;
-    output->push_now = push_now;
     output->offset_now = offset_now;
     output->bias_now = bias_now;
     output->noise_now = noise_now;
