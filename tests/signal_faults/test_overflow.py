@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from similitude.log_survey import survey
@@ -26,6 +26,7 @@ def wrapped(x, span):
 
 
 @settings(max_examples=60, deadline=None)
+@example(seed=17, bits=16, most=0.25)  # no two rows in a row are one step apart
 @given(seed=st.integers(0, 10_000), bits=st.sampled_from([8, 12, 16]), most=st.floats(0.24, 0.4))
 def test_what_went_round_is_counted_on_to_the_last_digit(seed, bits, most):
     x = turning(seed, step=0.4 / 2**bits, most=most)

@@ -81,7 +81,7 @@ def overflow(x: np.ndarray) -> Overflow | None:
     room = min(ROOM * usual, CONSTANT * span)
     if np.mean(np.abs(sizes - span) <= room) < 0.9 or span - whole > CLOSE * span + room:
         return None
-    span, is_binary = _whole(span, step)
+    span, is_binary = _whole(span, x[known])
     turns = np.zeros(x.size)
     turns[known[1:]] = np.cumsum(np.where(far, -np.sign(step), 0.0))
     turns[known] -= np.round(np.median(turns[known]))
@@ -110,9 +110,13 @@ def _bulges(x: np.ndarray, turns: np.ndarray, span: float, usual: float) -> bool
     return max(heights) > BULGE * span + 1.5 * usual
 
 
-def _whole(span: float, step: np.ndarray) -> tuple[float, bool]:
-    """The range as a power of two of the step of the readings, and whether it is one."""
-    least = float(np.min(np.abs(step), where=np.abs(step) > TINY * span, initial=span))
+def _whole(span: float, x: np.ndarray) -> tuple[float, bool]:
+    """The range as a power of two of the step of the readings, and whether it is one.
+
+    Of thousands of readings some lie one step apart, though none of them may follow one another.
+    """
+    apart = np.diff(np.sort(x))
+    least = float(np.min(apart, where=apart > TINY * span, initial=span))
     for bits in BITS:
         if abs(least * 2**bits / span - 1) < POWER:
             return least * 2**bits, True
