@@ -1,21 +1,26 @@
 """Prints the population filter in the benchmark's cells on own plants, without the rivals: some minutes.
 
-`python scripts/benchmark_cells.py gusts straight` prints only cells whose names hold one of the words.
+`python scripts/benchmark_cells.py gusts straight` prints only cells whose names hold one of the words; with
+`--small` it is the small filter of docs/embedded.md that drives, without an alarm.
 A full run with every estimator is `similitude bench`.
 """
 
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
+import numpy as np
 from rich.console import Console
 from rich.table import Table
 
 from similitude.benchmark.cells import cells
-from similitude.benchmark.drives import drives
-from similitude.benchmark.ladder_entrants import ladder
+from similitude.benchmark.drives import Drive, drives
+from similitude.benchmark.entrant import Answer, Entrant
+from similitude.benchmark.ladder_entrants import ladder, prepared
 from similitude.benchmark.running import SEED, answer_scored
 from similitude.benchmark.tally import tally
+from similitude.program.library import shipped
 
 COLUMNS = {
     "rms": ("rms ln K", "{:.1%}"),
@@ -30,10 +35,18 @@ COLUMNS = {
 }
 
 
+def small(drive: Drive) -> Answer:
+    """The small filter, with the lag that all of ours have."""
+    done = replace(prepared(drive).setup, library=shipped("bicycle_small_population")).run()
+    return Answer(K=done.output("estimate"), ln_K_std=np.sqrt(done.output("variance")))
+
+
 def main(words: list[str]) -> None:
     """Print a line a cell as it is done, and the table at the end."""
     one = next(entrant for entrant in ladder() if entrant.name == "population")
-    table = Table(title="Population filter, cell by cell")
+    if "--small" in words:
+        words, one = [w for w in words if w != "--small"], Entrant("small", "the small filter", small)
+    table = Table(title=f"The {one.name} filter, cell by cell")
     for name in ("cell", *(title for title, _ in COLUMNS.values())):
         table.add_column(name, justify="left" if name == "cell" else "right")
     for cell in cells(quick=False, foreign=False):
