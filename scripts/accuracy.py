@@ -15,7 +15,7 @@ from rich.console import Console
 from rich.table import Table
 from tests.montecarlo.drift_bound import DRIFT, rms_and_bound
 from tests.montecarlo.experiment import fleet, score
-from tests.montecarlo.test_batch import NO_LAG, coverage, nuisance_fleet
+from tests.montecarlo.test_batch import NO_LAG, coverage, fits, nuisance_fleet
 from tests.montecarlo.test_cells import DRIVES
 
 from similitude.steer_lag import MEASURED_LAG
@@ -29,7 +29,7 @@ def main() -> None:
     for steer_rms in (3e-3, 10e-3):
         for name, (drawn, assumed) in DRIVES.items():
             row(table, name, steer_rms, score(fleet(2, steer_rms=steer_rms, **drawn), **assumed))
-        hour = fleet(7, cars=20, duration=3600.0, step=1800.0, steer_rms=steer_rms)
+        hour = fleet(7, cars=40, duration=3600.0, step=1800.0, steer_rms=steer_rms)
         row(table, "one hour", steer_rms, score(hour, step=1800.0))
     straight = fleet(5, steer_rms=1e-4, duration=600.0, halve=False)
     for factor in (0.1, 1.0, 10.0):
@@ -69,7 +69,7 @@ def batch_table() -> Table:
             ("reference, lag not known", plain, MEASURED_LAG),
             ("scale, lag, offset, disturbance", dirty, MEASURED_LAG),
         ):
-            covered, error = coverage(cars, lag)
+            covered, error = coverage([(cars, list(fits(cars, lag)))])
             table.add_row(
                 name, f"{1000 * steer_rms:g} mrad", f"{100 * error:.1f} %", f"{100 * covered:.1f} %"
             )

@@ -82,7 +82,7 @@ def test_a_pass_can_be_repeated_and_leaves_the_log_alone(log):
 def test_the_end_of_a_pass_is_its_last_row(log):
     done = setup_of(log).run()
     assert done.value("K") == done.output("estimate")[-1]
-    assert done.covariance(["K"])[0, 0] == done.output("variance")[-1]
+    assert done.covariance(["K"])[0, 0] == done.output("own_variance")[-1]
     assert done.value("information") == done.output("information_gained")[-1]
 
 

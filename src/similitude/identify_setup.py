@@ -168,7 +168,7 @@ def edges(done: Pass) -> tuple[str, ...]:
         for side in ("low", "high")
     )
     x = prior.coordinates(np.array([done.value(name) for name in NAMES]))
-    return held_by_limits(x, low, high, prior, float(np.sqrt(done.covariance(["K"])[0, 0])))
+    return held_by_limits(x, low, high, prior, float(np.sqrt(done.output("variance")[-1])))
 
 
 def group_table(values: dict[str, float], std: NDArray[np.float64], prior: Prior) -> dict[str, Group]:

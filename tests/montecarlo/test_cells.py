@@ -48,7 +48,7 @@ def test_the_interval_covers_in_every_cell(drive, steer_rms):
 
 @pytest.mark.parametrize("steer_rms", [3e-3, 10e-3])
 def test_an_hour_does_not_make_it_certain(steer_rms):
-    cars = fleet(7, cars=20, duration=3600.0, step=1800.0, steer_rms=steer_rms)
+    cars = fleet(7, cars=40, duration=3600.0, step=1800.0, steer_rms=steer_rms)
     result = score(cars, step=1800.0)
     assert 0.90 <= result.coverage <= 0.995, result
     assert result.wrong == 0, result

@@ -136,6 +136,7 @@ def _sensor_values(told: Mapping[str, float], swing: float, trial: Trial) -> dic
         "input_offset_sd": told["input_offset"],
         "output_bias_sd": told["output_bias"],
         "bias_drift": 0.0,
+        "slow_doubt": 0.0,  # the constants' priors are the user's own, and the intervals cover as they are
         "disturbance_floor": max(told["disturbance"], 1e-9 * swing),
         "disturbance_share": 0.0,
         "structure_share": told["model_error"],

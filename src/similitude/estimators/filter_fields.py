@@ -200,6 +200,10 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("excitation_ratio", "-", "least variance of sensitivity against noise to learn from"),
         Field("excitation_rate", "1/s", "averaging rate of the excitation"),
         Field("seldom", "s", "least time between samples that the seldom learnt unknowns learn from"),
+        *_if(
+            not layout.lean,
+            Field("slow_doubt", "-", f"share of ln {t}'s variance from learnt constants that is added to it"),
+        ),
         Field("surprise_rate", "1/s", "averaging rate of the normalised innovation"),
         Field("jump_ratio", "-", "squared surprise against its long-run mean that speaks of a jump"),
         Field("surprise_limit", "-", "mean squared normalised innovation that speaks of a jump"),
@@ -357,6 +361,7 @@ def monitored_fields(layout: Layout) -> tuple[Field, ...]:
     if not layout.monitored:
         return ()
     return (
+        Field("own_variance", "-", f"variance of ln {layout.target} that the filter goes by"),
         *(Field(f"{u.name}_now", u.unit, u.meaning) for u in layout.reduction.unknowns[1:]),
         Field("offset_now", i.unit, f"offset of {i.name}"),
         Field("bias_now", o.unit, f"bias of {o.name}"),

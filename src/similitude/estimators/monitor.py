@@ -152,7 +152,7 @@ def _reference(layout: Layout) -> list[Statement]:
     now = {f"{layout.target}_held": S("estimate")}
     now |= {f"{name}_held": S(f"{name}_now") for name in layout.unknowns[1:]}
     now |= {"input_offset_held": S("offset_now"), "output_bias_held": S("bias_now")}
-    now["variance_held"] = S("variance")
+    now["variance_held"] = S("own_variance")
     slowly = sp.And(_is("ok"), hears())
     follow = sp.Piecewise((1, sp.Not(armed())), (share("reference_rate"), slowly), (0, True))
     return [

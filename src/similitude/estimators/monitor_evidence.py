@@ -124,7 +124,7 @@ def _roughness() -> list[Statement]:
 def _hearing() -> list[Statement]:
     """How much the drive says, and how far what it says can be trusted."""
     surely = sp.And(S("code") < STATUS["ok"] + HALF, hears())
-    heard = sp.Piecewise((-dt, S("variance") > S("variance_most")), (dt, surely), (0, True))
+    heard = sp.Piecewise((-dt, S("own_variance") > S("variance_most")), (dt, surely), (0, True))
     keep = S("score_keep")
     ratio = sp.Min(S("score") ** 2 / (S("score_variance") + LEAST), RATIO_MOST)
     return [

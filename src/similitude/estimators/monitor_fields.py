@@ -106,7 +106,6 @@ def sample_fields(layout: Layout) -> tuple[Field, ...]:
         *ff.sample_fields(layout),
         Field("code", "-", "status of the filter's step"),
         Field("estimate", u.unit, u.meaning),
-        Field("variance", "-", f"variance of ln {u.name}"),
         *ff.monitored_fields(layout),
     )
 

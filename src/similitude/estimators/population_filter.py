@@ -29,6 +29,7 @@ from similitude.estimators.filter_fields import (
     Layout,
 )
 from similitude.estimators.filter_gates import gates, restart
+from similitude.estimators.filter_interval import interval
 from similitude.estimators.filter_lean import lean_dynamics, lean_update
 from similitude.estimators.further_fields import further_variables
 from similitude.estimators.further_lean import forget
@@ -47,7 +48,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
     "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
-    "inv_dt inv_output_scale keep keep_w learn learn_seldom learn_slow least_scale "
+    "inv_dt inv_output_scale keep keep_w leant learn learn_seldom learn_slow least_scale "
     "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise "
     "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
@@ -221,7 +222,7 @@ def _step(layout: Layout) -> list[Statement]:
             "time must advance",
         ),
         Assign("estimate", S(layout.target)),
-        Assign("variance", layout.covariance[(len(layout.fast) + 1,) * 2]),
+        *interval(layout),
         Assign("information_gained", S("information")),
         *_handed_out(
             layout,

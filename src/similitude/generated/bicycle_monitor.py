@@ -124,7 +124,7 @@ SAMPLE = (
     ('measured', 'rad/s', 'measured yaw rate', 1),
     ('code', '-', "status of the filter's step", 1),
     ('estimate', 'm^2/s^2', 'Caf L/m, front cornering stiffness per mass and length', 1),
-    ('variance', '-', 'variance of ln K', 1),
+    ('own_variance', '-', 'variance of ln K that the filter goes by', 1),
     ('pi1_now', '-', 'a/L, position of the centre of gravity', 1),
     ('eta_now', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
     ('rho_now', '-', 'Iz/(m a b), yaw inertia ratio', 1),
@@ -263,7 +263,7 @@ def step(config, state, sample):
     measured = sample[3]
     code = sample[4]
     estimate = sample[5]
-    variance = sample[6]
+    own_variance = sample[6]
     pi1_now = sample[7]
     eta_now = sample[8]
     rho_now = sample[9]
@@ -421,7 +421,7 @@ def step(config, state, sample):
         rho_held = rho_held + follow*(rho_now - rho_held)
         input_offset_held = input_offset_held + follow*(offset_now - input_offset_held)
         output_bias_held = output_bias_held + follow*(bias_now - output_bias_held)
-        variance_held = variance_held + follow*(variance - variance_held)
+        variance_held = variance_held + follow*(own_variance - variance_held)
         size_fall = (-(size_most if (size_most) < ((size_least if (size_least) > ((size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall)) else (size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall))) else (size_least if (size_least) > ((size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall)) else (size_guess*size_weight - score_sum_fall)/(size_weight + weight_sum_fall))))
         K_fall = K_held*(12.0 + size_fall*(6.0 + size_fall))/((12.0 + size_fall*(size_fall - 6.0)))  # exp by its Pade approximant, good to 0.1 % for a fall by a factor of three
         size_rise = (size_most if (size_most) < ((size_least if (size_least) > ((score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)) else (score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise))) else (size_least if (size_least) > ((score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)) else (score_sum_rise + size_guess*size_weight)/(size_weight + weight_sum_rise)))
@@ -718,7 +718,7 @@ def step(config, state, sample):
             fresh = inv_spread*(slope*slope)  # information
             known = fresh + known
             hearing = hearing + (fresh/dt - hearing)*(1.0 if (1.0) < (dt*hearing_rate) else dt*hearing_rate)
-            heard = (0.0 if (0.0) > ((heard + ((-dt) if variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0)) if (heard + ((-dt) if variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0))) < (heard_least + heard_spare) else heard_least + heard_spare)) else (heard + ((-dt) if variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0)) if (heard + ((-dt) if variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0))) < (heard_least + heard_spare) else heard_least + heard_spare))
+            heard = (0.0 if (0.0) > ((heard + ((-dt) if own_variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0)) if (heard + ((-dt) if own_variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0))) < (heard_least + heard_spare) else heard_least + heard_spare)) else (heard + ((-dt) if own_variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0)) if (heard + ((-dt) if own_variance > variance_most else (dt if (code < 0.5) and (hearing > hearing_least) else 0.0))) < (heard_least + heard_spare) else heard_least + heard_spare))
             score_keep = 1.0 - (1.0 if (1.0) < (dt*score_rate) else dt*score_rate)
             score = score*score_keep + innovation*inv_spread*slope
             score_variance = fresh + score_variance*(score_keep*score_keep)

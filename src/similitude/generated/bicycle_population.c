@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias
  *
- * Operations: step 1147 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 85 reals, configuration 69 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1197 at most, 57 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 85 reals, configuration 70 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -105,6 +105,7 @@ typedef struct bicycle_population_config {
     bicycle_population_real excitation_ratio;        /* [-] least variance of sensitivity against noise to learn from */
     bicycle_population_real excitation_rate;         /* [1/s] averaging rate of the excitation */
     bicycle_population_real seldom;                  /* [s] least time between samples that the seldom learnt unknowns learn from */
+    bicycle_population_real slow_doubt;              /* [-] share of ln K's variance from learnt constants that is added to it */
     bicycle_population_real surprise_rate;           /* [1/s] averaging rate of the normalised innovation */
     bicycle_population_real jump_ratio;              /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_population_real surprise_limit;          /* [-] mean squared normalised innovation that speaks of a jump */
@@ -169,6 +170,7 @@ typedef struct bicycle_population_output {
     bicycle_population_real innovation;              /* [rad/s] measured minus predicted; 0 without a measurement */
     bicycle_population_real innovation_variance;     /* [(rad/s)^2] variance of the innovation */
     bicycle_population_real information_gained;      /* [-] information gained about ln K so far */
+    bicycle_population_real own_variance;            /* [-] variance of ln K that the filter goes by */
     bicycle_population_real pi1_now;                 /* [-] a/L, position of the centre of gravity */
     bicycle_population_real eta_now;                 /* [-] rear over front cornering coefficient; > 1 understeers */
     bicycle_population_real rho_now;                 /* [-] Iz/(m a b), yaw inertia ratio */
@@ -461,6 +463,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     bicycle_population_real move = R(0.0);
     bicycle_population_real noise_now = R(0.0);
     bicycle_population_real offset_now = R(0.0);
+    bicycle_population_real own_variance = R(0.0);
     bicycle_population_real pi1_now = R(0.0);
     bicycle_population_real predicted = R(0.0);
     bicycle_population_real rho_now = R(0.0);
@@ -793,7 +796,24 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
-    variance = P[27];
+    own_variance = P[27];
+    const bicycle_population_real pivot_5 = P[40];
+    const bicycle_population_real inv_pivot_5 = (R(1.0)/((pivot_5) > (R(1e-24) + R(1e-06)*P[40]) ? pivot_5 : R(1e-24) + R(1e-06)*P[40]));
+    const bicycle_population_real lean_5 = P[29];
+    const bicycle_population_real row_5_6 = P[41];
+    const bicycle_population_real ratio_5_6 = inv_pivot_5*row_5_6;
+    const bicycle_population_real row_5_7 = P[42];
+    const bicycle_population_real ratio_5_7 = inv_pivot_5*row_5_7;
+    const bicycle_population_real pivot_6 = P[45] - ratio_5_6*row_5_6;
+    const bicycle_population_real inv_pivot_6 = (R(1.0)/((pivot_6) > (R(1e-24) + R(1e-06)*P[45]) ? pivot_6 : R(1e-24) + R(1e-06)*P[45]));
+    const bicycle_population_real lean_6 = P[30] - lean_5*ratio_5_6;
+    const bicycle_population_real row_6_7 = P[46] - ratio_5_6*row_5_7;
+    const bicycle_population_real ratio_6_7 = inv_pivot_6*row_6_7;
+    const bicycle_population_real pivot_7 = P[49] - ratio_5_7*row_5_7 - ratio_6_7*row_6_7;
+    const bicycle_population_real inv_pivot_7 = (R(1.0)/((pivot_7) > (R(1e-24) + R(1e-06)*P[49]) ? pivot_7 : R(1e-24) + R(1e-06)*P[49]));
+    const bicycle_population_real lean_7 = P[31] - lean_5*ratio_5_7 - lean_6*ratio_6_7;
+    const bicycle_population_real leant = inv_pivot_5*(lean_5*lean_5) + inv_pivot_6*(lean_6*lean_6) + inv_pivot_7*(lean_7*lean_7); /* of it, what would go if the constants were known */
+    variance = P[27] + config->slow_doubt*((P[27]) < (leant) ? P[27] : leant);
     information_gained = state->information;
     pi1_now = state->pi1;
     eta_now = state->eta;
@@ -807,6 +827,7 @@ SIMILITUDE_INLINE int bicycle_population_advance(const bicycle_population_config
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
+    output->own_variance = own_variance;
     output->pi1_now = pi1_now;
     output->eta_now = eta_now;
     output->rho_now = rho_now;

@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_population'
-OPERATIONS = 1147
+OPERATIONS = 1197
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'input_scale', 'input_offset', 'output_bias')
 REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
@@ -61,6 +61,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
+    ('slow_doubt', '-', "share of ln K's variance from learnt constants that is added to it", 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
@@ -125,6 +126,7 @@ OUTPUT = (
     ('innovation', 'rad/s', 'measured minus predicted; 0 without a measurement', 1),
     ('innovation_variance', '(rad/s)^2', 'variance of the innovation', 1),
     ('information_gained', '-', 'information gained about ln K so far', 1),
+    ('own_variance', '-', 'variance of ln K that the filter goes by', 1),
     ('pi1_now', '-', 'a/L, position of the centre of gravity', 1),
     ('eta_now', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
     ('rho_now', '-', 'Iz/(m a b), yaw inertia ratio', 1),
@@ -302,20 +304,21 @@ def step(config, state, sample):
     excitation_ratio = config[52]
     excitation_rate = config[53]
     seldom = config[54]
-    surprise_rate = config[55]
-    jump_ratio = config[56]
-    surprise_limit = config[57]
-    heard_rate = config[58]
-    faint_drift = config[59]
-    inv_telling = config[60]
-    observed_least = config[61]
-    outlier_ratio = config[62]
-    gap = config[63]
-    input_limit = config[64]
-    output_limit = config[65]
-    signal_limit = config[66]
-    validity_limit = config[67]
-    validity_rate = config[68]
+    slow_doubt = config[55]
+    surprise_rate = config[56]
+    jump_ratio = config[57]
+    surprise_limit = config[58]
+    heard_rate = config[59]
+    faint_drift = config[60]
+    inv_telling = config[61]
+    observed_least = config[62]
+    outlier_ratio = config[63]
+    gap = config[64]
+    input_limit = config[65]
+    output_limit = config[66]
+    signal_limit = config[67]
+    validity_limit = config[68]
+    validity_rate = config[69]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -419,6 +422,7 @@ def step(config, state, sample):
     move = 0.0
     noise_now = 0.0
     offset_now = 0.0
+    own_variance = 0.0
     pi1_now = 0.0
     predicted = 0.0
     rho_now = 0.0
@@ -899,7 +903,24 @@ def step(config, state, sample):
         status = 7.0
         age = (1000000.0 if dt > 1.0 else age)  # an endless pause is a gap for the next sample
     estimate = K
-    variance = P_27
+    own_variance = P_27
+    pivot_5 = P_40
+    inv_pivot_5 = (1.0/(pivot_5 if (pivot_5) > (1e-24 + 1e-06*P_40) else 1e-24 + 1e-06*P_40))
+    lean_5 = P_29
+    row_5_6 = P_41
+    ratio_5_6 = inv_pivot_5*row_5_6
+    row_5_7 = P_42
+    ratio_5_7 = inv_pivot_5*row_5_7
+    pivot_6 = P_45 - ratio_5_6*row_5_6
+    inv_pivot_6 = (1.0/(pivot_6 if (pivot_6) > (1e-24 + 1e-06*P_45) else 1e-24 + 1e-06*P_45))
+    lean_6 = P_30 - lean_5*ratio_5_6
+    row_6_7 = P_46 - ratio_5_6*row_5_7
+    ratio_6_7 = inv_pivot_6*row_6_7
+    pivot_7 = P_49 - ratio_5_7*row_5_7 - ratio_6_7*row_6_7
+    inv_pivot_7 = (1.0/(pivot_7 if (pivot_7) > (1e-24 + 1e-06*P_49) else 1e-24 + 1e-06*P_49))
+    lean_7 = P_31 - lean_5*ratio_5_7 - lean_6*ratio_6_7
+    leant = inv_pivot_5*(lean_5*lean_5) + inv_pivot_6*(lean_6*lean_6) + inv_pivot_7*(lean_7*lean_7)  # of it, what would go if the constants were known
+    variance = P_27 + slow_doubt*(P_27 if (P_27) < (leant) else leant)
     information_gained = information
     pi1_now = pi1
     eta_now = eta
@@ -907,4 +928,4 @@ def step(config, state, sample):
     offset_now = input_offset
     bias_now = output_bias
     state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
-    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, offset_now, bias_now, noise_now, disturbance_now]
+    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, own_variance, pi1_now, eta_now, rho_now, offset_now, bias_now, noise_now, disturbance_now]

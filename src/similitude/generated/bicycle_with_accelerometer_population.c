@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 2467 at most, 7 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 126 reals, configuration 94 reals; no heap, no globals, no libm, C99.
+ * Operations: step 2590 at most, 130 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 126 reals, configuration 95 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -111,6 +111,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     bicycle_with_accelerometer_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     bicycle_with_accelerometer_population_real seldom; /* [s] least time between samples that the seldom learnt unknowns learn from */
+    bicycle_with_accelerometer_population_real slow_doubt; /* [-] share of ln K's variance from learnt constants that is added to it */
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
     bicycle_with_accelerometer_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
@@ -189,6 +190,7 @@ typedef struct bicycle_with_accelerometer_population_output {
     bicycle_with_accelerometer_population_real innovation; /* [rad/s] measured minus predicted; 0 without a measurement */
     bicycle_with_accelerometer_population_real innovation_variance; /* [(rad/s)^2] variance of the innovation */
     bicycle_with_accelerometer_population_real information_gained; /* [-] information gained about ln K so far */
+    bicycle_with_accelerometer_population_real own_variance; /* [-] variance of ln K that the filter goes by */
     bicycle_with_accelerometer_population_real pi1_now; /* [-] a/L, position of the centre of gravity */
     bicycle_with_accelerometer_population_real eta_now; /* [-] rear over front cornering coefficient; > 1 understeers */
     bicycle_with_accelerometer_population_real rho_now; /* [-] Iz/(m a b), yaw inertia ratio */
@@ -741,6 +743,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     bicycle_with_accelerometer_population_real move = R(0.0);
     bicycle_with_accelerometer_population_real noise_now = R(0.0);
     bicycle_with_accelerometer_population_real offset_now = R(0.0);
+    bicycle_with_accelerometer_population_real own_variance = R(0.0);
     bicycle_with_accelerometer_population_real pi1_now = R(0.0);
     bicycle_with_accelerometer_population_real place_now = R(0.0);
     bicycle_with_accelerometer_population_real predicted = R(0.0);
@@ -1249,7 +1252,44 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
-    variance = P[36];
+    own_variance = P[36];
+    const bicycle_with_accelerometer_population_real pivot_5 = P[55];
+    const bicycle_with_accelerometer_population_real inv_pivot_5 = (R(1.0)/((pivot_5) > (R(1e-24) + R(1e-06)*P[55]) ? pivot_5 : R(1e-24) + R(1e-06)*P[55]));
+    const bicycle_with_accelerometer_population_real lean_5 = P[38];
+    const bicycle_with_accelerometer_population_real row_5_6 = P[56];
+    const bicycle_with_accelerometer_population_real ratio_5_6 = inv_pivot_5*row_5_6;
+    const bicycle_with_accelerometer_population_real row_5_7 = P[57];
+    const bicycle_with_accelerometer_population_real ratio_5_7 = inv_pivot_5*row_5_7;
+    const bicycle_with_accelerometer_population_real row_5_8 = P[58];
+    const bicycle_with_accelerometer_population_real ratio_5_8 = inv_pivot_5*row_5_8;
+    const bicycle_with_accelerometer_population_real row_5_9 = P[59];
+    const bicycle_with_accelerometer_population_real ratio_5_9 = inv_pivot_5*row_5_9;
+    const bicycle_with_accelerometer_population_real pivot_6 = P[63] - ratio_5_6*row_5_6;
+    const bicycle_with_accelerometer_population_real inv_pivot_6 = (R(1.0)/((pivot_6) > (R(1e-24) + R(1e-06)*P[63]) ? pivot_6 : R(1e-24) + R(1e-06)*P[63]));
+    const bicycle_with_accelerometer_population_real lean_6 = P[39] - lean_5*ratio_5_6;
+    const bicycle_with_accelerometer_population_real row_6_7 = P[64] - ratio_5_6*row_5_7;
+    const bicycle_with_accelerometer_population_real ratio_6_7 = inv_pivot_6*row_6_7;
+    const bicycle_with_accelerometer_population_real row_6_8 = P[65] - ratio_5_6*row_5_8;
+    const bicycle_with_accelerometer_population_real ratio_6_8 = inv_pivot_6*row_6_8;
+    const bicycle_with_accelerometer_population_real row_6_9 = P[66] - ratio_5_6*row_5_9;
+    const bicycle_with_accelerometer_population_real ratio_6_9 = inv_pivot_6*row_6_9;
+    const bicycle_with_accelerometer_population_real pivot_7 = P[70] - ratio_5_7*row_5_7 - ratio_6_7*row_6_7;
+    const bicycle_with_accelerometer_population_real inv_pivot_7 = (R(1.0)/((pivot_7) > (R(1e-24) + R(1e-06)*P[70]) ? pivot_7 : R(1e-24) + R(1e-06)*P[70]));
+    const bicycle_with_accelerometer_population_real lean_7 = P[40] - lean_5*ratio_5_7 - lean_6*ratio_6_7;
+    const bicycle_with_accelerometer_population_real row_7_8 = P[71] - ratio_5_7*row_5_8 - ratio_6_7*row_6_8;
+    const bicycle_with_accelerometer_population_real ratio_7_8 = inv_pivot_7*row_7_8;
+    const bicycle_with_accelerometer_population_real row_7_9 = P[72] - ratio_5_7*row_5_9 - ratio_6_7*row_6_9;
+    const bicycle_with_accelerometer_population_real ratio_7_9 = inv_pivot_7*row_7_9;
+    const bicycle_with_accelerometer_population_real pivot_8 = P[76] - ratio_5_8*row_5_8 - ratio_6_8*row_6_8 - ratio_7_8*row_7_8;
+    const bicycle_with_accelerometer_population_real inv_pivot_8 = (R(1.0)/((pivot_8) > (R(1e-24) + R(1e-06)*P[76]) ? pivot_8 : R(1e-24) + R(1e-06)*P[76]));
+    const bicycle_with_accelerometer_population_real lean_8 = P[41] - lean_5*ratio_5_8 - lean_6*ratio_6_8 - lean_7*ratio_7_8;
+    const bicycle_with_accelerometer_population_real row_8_9 = P[77] - ratio_5_8*row_5_9 - ratio_6_8*row_6_9 - ratio_7_8*row_7_9;
+    const bicycle_with_accelerometer_population_real ratio_8_9 = inv_pivot_8*row_8_9;
+    const bicycle_with_accelerometer_population_real pivot_9 = P[81] - ratio_5_9*row_5_9 - ratio_6_9*row_6_9 - ratio_7_9*row_7_9 - ratio_8_9*row_8_9;
+    const bicycle_with_accelerometer_population_real inv_pivot_9 = (R(1.0)/((pivot_9) > (R(1e-24) + R(1e-06)*P[81]) ? pivot_9 : R(1e-24) + R(1e-06)*P[81]));
+    const bicycle_with_accelerometer_population_real lean_9 = P[42] - lean_5*ratio_5_9 - lean_6*ratio_6_9 - lean_7*ratio_7_9 - lean_8*ratio_8_9;
+    const bicycle_with_accelerometer_population_real leant = inv_pivot_5*(lean_5*lean_5) + inv_pivot_6*(lean_6*lean_6) + inv_pivot_7*(lean_7*lean_7) + inv_pivot_8*(lean_8*lean_8) + inv_pivot_9*(lean_9*lean_9); /* of it, what would go if the constants were known */
+    variance = P[36] + config->slow_doubt*((P[36]) < (leant) ? P[36] : leant);
     information_gained = state->information;
     pi1_now = state->pi1;
     eta_now = state->eta;
@@ -1265,6 +1305,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
+    output->own_variance = own_variance;
     output->pi1_now = pi1_now;
     output->eta_now = eta_now;
     output->rho_now = rho_now;

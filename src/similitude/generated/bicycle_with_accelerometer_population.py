@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 2467
+OPERATIONS = 2590
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
@@ -67,6 +67,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
+    ('slow_doubt', '-', "share of ln K's variance from learnt constants that is added to it", 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
     ('surprise_limit', '-', 'mean squared normalised innovation that speaks of a jump', 1),
@@ -145,6 +146,7 @@ OUTPUT = (
     ('innovation', 'rad/s', 'measured minus predicted; 0 without a measurement', 1),
     ('innovation_variance', '(rad/s)^2', 'variance of the innovation', 1),
     ('information_gained', '-', 'information gained about ln K so far', 1),
+    ('own_variance', '-', 'variance of ln K that the filter goes by', 1),
     ('pi1_now', '-', 'a/L, position of the centre of gravity', 1),
     ('eta_now', '-', 'rear over front cornering coefficient; > 1 understeers', 1),
     ('rho_now', '-', 'Iz/(m a b), yaw inertia ratio', 1),
@@ -193,7 +195,7 @@ def init(config):
     r_star_sd = config[47]
     disturbance_floor = config[59]
     disturbance_scale_start = config[63]
-    ay_bias_sd = config[86]
+    ay_bias_sd = config[87]
     v_star = 0.0
     r_star = 0.0
     v_star_plain = 0.0
@@ -395,27 +397,28 @@ def step(config, state, sample):
     excitation_ratio = config[69]
     excitation_rate = config[70]
     seldom = config[71]
-    surprise_rate = config[72]
-    jump_ratio = config[73]
-    surprise_limit = config[74]
-    heard_rate = config[75]
-    faint_drift = config[76]
-    inv_telling = config[77]
-    observed_least = config[78]
-    outlier_ratio = config[79]
-    gap = config[80]
-    input_limit = config[81]
-    output_limit = config[82]
-    signal_limit = config[83]
-    validity_limit = config[84]
-    validity_rate = config[85]
-    ay_bias_drift = config[87]
-    ay_variance = config[88]
-    ay_share = config[89]
-    ay_time = config[90]
-    ay_noise_scale_low = config[91]
-    ay_noise_scale_high = config[92]
-    ay_limit = config[93]
+    slow_doubt = config[72]
+    surprise_rate = config[73]
+    jump_ratio = config[74]
+    surprise_limit = config[75]
+    heard_rate = config[76]
+    faint_drift = config[77]
+    inv_telling = config[78]
+    observed_least = config[79]
+    outlier_ratio = config[80]
+    gap = config[81]
+    input_limit = config[82]
+    output_limit = config[83]
+    signal_limit = config[84]
+    validity_limit = config[85]
+    validity_rate = config[86]
+    ay_bias_drift = config[88]
+    ay_variance = config[89]
+    ay_share = config[90]
+    ay_time = config[91]
+    ay_noise_scale_low = config[92]
+    ay_noise_scale_high = config[93]
+    ay_limit = config[94]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -563,6 +566,7 @@ def step(config, state, sample):
     move = 0.0
     noise_now = 0.0
     offset_now = 0.0
+    own_variance = 0.0
     pi1_now = 0.0
     place_now = 0.0
     predicted = 0.0
@@ -1417,7 +1421,44 @@ def step(config, state, sample):
         status = 7.0
         age = (1000000.0 if dt > 1.0 else age)  # an endless pause is a gap for the next sample
     estimate = K
-    variance = P_36
+    own_variance = P_36
+    pivot_5 = P_55
+    inv_pivot_5 = (1.0/(pivot_5 if (pivot_5) > (1e-24 + 1e-06*P_55) else 1e-24 + 1e-06*P_55))
+    lean_5 = P_38
+    row_5_6 = P_56
+    ratio_5_6 = inv_pivot_5*row_5_6
+    row_5_7 = P_57
+    ratio_5_7 = inv_pivot_5*row_5_7
+    row_5_8 = P_58
+    ratio_5_8 = inv_pivot_5*row_5_8
+    row_5_9 = P_59
+    ratio_5_9 = inv_pivot_5*row_5_9
+    pivot_6 = P_63 - ratio_5_6*row_5_6
+    inv_pivot_6 = (1.0/(pivot_6 if (pivot_6) > (1e-24 + 1e-06*P_63) else 1e-24 + 1e-06*P_63))
+    lean_6 = P_39 - lean_5*ratio_5_6
+    row_6_7 = P_64 - ratio_5_6*row_5_7
+    ratio_6_7 = inv_pivot_6*row_6_7
+    row_6_8 = P_65 - ratio_5_6*row_5_8
+    ratio_6_8 = inv_pivot_6*row_6_8
+    row_6_9 = P_66 - ratio_5_6*row_5_9
+    ratio_6_9 = inv_pivot_6*row_6_9
+    pivot_7 = P_70 - ratio_5_7*row_5_7 - ratio_6_7*row_6_7
+    inv_pivot_7 = (1.0/(pivot_7 if (pivot_7) > (1e-24 + 1e-06*P_70) else 1e-24 + 1e-06*P_70))
+    lean_7 = P_40 - lean_5*ratio_5_7 - lean_6*ratio_6_7
+    row_7_8 = P_71 - ratio_5_7*row_5_8 - ratio_6_7*row_6_8
+    ratio_7_8 = inv_pivot_7*row_7_8
+    row_7_9 = P_72 - ratio_5_7*row_5_9 - ratio_6_7*row_6_9
+    ratio_7_9 = inv_pivot_7*row_7_9
+    pivot_8 = P_76 - ratio_5_8*row_5_8 - ratio_6_8*row_6_8 - ratio_7_8*row_7_8
+    inv_pivot_8 = (1.0/(pivot_8 if (pivot_8) > (1e-24 + 1e-06*P_76) else 1e-24 + 1e-06*P_76))
+    lean_8 = P_41 - lean_5*ratio_5_8 - lean_6*ratio_6_8 - lean_7*ratio_7_8
+    row_8_9 = P_77 - ratio_5_8*row_5_9 - ratio_6_8*row_6_9 - ratio_7_8*row_7_9
+    ratio_8_9 = inv_pivot_8*row_8_9
+    pivot_9 = P_81 - ratio_5_9*row_5_9 - ratio_6_9*row_6_9 - ratio_7_9*row_7_9 - ratio_8_9*row_8_9
+    inv_pivot_9 = (1.0/(pivot_9 if (pivot_9) > (1e-24 + 1e-06*P_81) else 1e-24 + 1e-06*P_81))
+    lean_9 = P_42 - lean_5*ratio_5_9 - lean_6*ratio_6_9 - lean_7*ratio_7_9 - lean_8*ratio_8_9
+    leant = inv_pivot_5*(lean_5*lean_5) + inv_pivot_6*(lean_6*lean_6) + inv_pivot_7*(lean_7*lean_7) + inv_pivot_8*(lean_8*lean_8) + inv_pivot_9*(lean_9*lean_9)  # of it, what would go if the constants were known
+    variance = P_36 + slow_doubt*(P_36 if (P_36) < (leant) else leant)
     information_gained = information
     pi1_now = pi1
     eta_now = eta
@@ -1427,4 +1468,4 @@ def step(config, state, sample):
     offset_now = input_offset
     bias_now = output_bias
     state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
-    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, pi1_now, eta_now, rho_now, grip_now, place_now, offset_now, bias_now, noise_now, disturbance_now]
+    return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, own_variance, pi1_now, eta_now, rho_now, grip_now, place_now, offset_now, bias_now, noise_now, disturbance_now]

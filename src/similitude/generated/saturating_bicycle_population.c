@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1408 at most, 7 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 97 reals, configuration 77 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1489 at most, 88 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -108,6 +108,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     saturating_bicycle_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     saturating_bicycle_population_real seldom;       /* [s] least time between samples that the seldom learnt unknowns learn from */
+    saturating_bicycle_population_real slow_doubt;   /* [-] share of ln K's variance from learnt constants that is added to it */
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
     saturating_bicycle_population_real surprise_limit; /* [-] mean squared normalised innovation that speaks of a jump */
@@ -173,6 +174,7 @@ typedef struct saturating_bicycle_population_output {
     saturating_bicycle_population_real innovation;   /* [rad/s] measured minus predicted; 0 without a measurement */
     saturating_bicycle_population_real innovation_variance; /* [(rad/s)^2] variance of the innovation */
     saturating_bicycle_population_real information_gained; /* [-] information gained about ln K so far */
+    saturating_bicycle_population_real own_variance; /* [-] variance of ln K that the filter goes by */
     saturating_bicycle_population_real pi1_now;      /* [-] a/L, position of the centre of gravity */
     saturating_bicycle_population_real eta_now;      /* [-] rear over front cornering coefficient; > 1 understeers */
     saturating_bicycle_population_real rho_now;      /* [-] Iz/(m a b), yaw inertia ratio */
@@ -501,6 +503,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     saturating_bicycle_population_real move = R(0.0);
     saturating_bicycle_population_real noise_now = R(0.0);
     saturating_bicycle_population_real offset_now = R(0.0);
+    saturating_bicycle_population_real own_variance = R(0.0);
     saturating_bicycle_population_real pi1_now = R(0.0);
     saturating_bicycle_population_real predicted = R(0.0);
     saturating_bicycle_population_real rho_now = R(0.0);
@@ -883,7 +886,33 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
         state->age = (sample->dt > R(1.0) ? R(1000000.0) : state->age); /* an endless pause is a gap for the next sample */
     }
     estimate = state->K;
-    variance = P[30];
+    own_variance = P[30];
+    const saturating_bicycle_population_real pivot_5 = P[45];
+    const saturating_bicycle_population_real inv_pivot_5 = (R(1.0)/((pivot_5) > (R(1e-24) + R(1e-06)*P[45]) ? pivot_5 : R(1e-24) + R(1e-06)*P[45]));
+    const saturating_bicycle_population_real lean_5 = P[32];
+    const saturating_bicycle_population_real row_5_6 = P[46];
+    const saturating_bicycle_population_real ratio_5_6 = inv_pivot_5*row_5_6;
+    const saturating_bicycle_population_real row_5_7 = P[47];
+    const saturating_bicycle_population_real ratio_5_7 = inv_pivot_5*row_5_7;
+    const saturating_bicycle_population_real row_5_8 = P[48];
+    const saturating_bicycle_population_real ratio_5_8 = inv_pivot_5*row_5_8;
+    const saturating_bicycle_population_real pivot_6 = P[51] - ratio_5_6*row_5_6;
+    const saturating_bicycle_population_real inv_pivot_6 = (R(1.0)/((pivot_6) > (R(1e-24) + R(1e-06)*P[51]) ? pivot_6 : R(1e-24) + R(1e-06)*P[51]));
+    const saturating_bicycle_population_real lean_6 = P[33] - lean_5*ratio_5_6;
+    const saturating_bicycle_population_real row_6_7 = P[52] - ratio_5_6*row_5_7;
+    const saturating_bicycle_population_real ratio_6_7 = inv_pivot_6*row_6_7;
+    const saturating_bicycle_population_real row_6_8 = P[53] - ratio_5_6*row_5_8;
+    const saturating_bicycle_population_real ratio_6_8 = inv_pivot_6*row_6_8;
+    const saturating_bicycle_population_real pivot_7 = P[56] - ratio_5_7*row_5_7 - ratio_6_7*row_6_7;
+    const saturating_bicycle_population_real inv_pivot_7 = (R(1.0)/((pivot_7) > (R(1e-24) + R(1e-06)*P[56]) ? pivot_7 : R(1e-24) + R(1e-06)*P[56]));
+    const saturating_bicycle_population_real lean_7 = P[34] - lean_5*ratio_5_7 - lean_6*ratio_6_7;
+    const saturating_bicycle_population_real row_7_8 = P[57] - ratio_5_7*row_5_8 - ratio_6_7*row_6_8;
+    const saturating_bicycle_population_real ratio_7_8 = inv_pivot_7*row_7_8;
+    const saturating_bicycle_population_real pivot_8 = P[60] - ratio_5_8*row_5_8 - ratio_6_8*row_6_8 - ratio_7_8*row_7_8;
+    const saturating_bicycle_population_real inv_pivot_8 = (R(1.0)/((pivot_8) > (R(1e-24) + R(1e-06)*P[60]) ? pivot_8 : R(1e-24) + R(1e-06)*P[60]));
+    const saturating_bicycle_population_real lean_8 = P[35] - lean_5*ratio_5_8 - lean_6*ratio_6_8 - lean_7*ratio_7_8;
+    const saturating_bicycle_population_real leant = inv_pivot_5*(lean_5*lean_5) + inv_pivot_6*(lean_6*lean_6) + inv_pivot_7*(lean_7*lean_7) + inv_pivot_8*(lean_8*lean_8); /* of it, what would go if the constants were known */
+    variance = P[30] + config->slow_doubt*((P[30]) < (leant) ? P[30] : leant);
     information_gained = state->information;
     pi1_now = state->pi1;
     eta_now = state->eta;
@@ -898,6 +927,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
     output->innovation = innovation;
     output->innovation_variance = innovation_variance;
     output->information_gained = information_gained;
+    output->own_variance = own_variance;
     output->pi1_now = pi1_now;
     output->eta_now = eta_now;
     output->rho_now = rho_now;
