@@ -99,7 +99,7 @@ def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
         return [_foreign(cell, one) for one in seeds]
     cars = draw(seeds, cell.car)
     recordings = run_scenario(scenario(cell), seeds, car=cars)
-    return [_told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
+    return [told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
 
 
 def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
@@ -119,7 +119,7 @@ def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any])
     """
     car = foreign_car(scenario.plant.model, scenario.plant.vehicle)
     held = kept({**description, "seed": seed}, lambda: columns(run_scenario(scenario, [seed])[0]))
-    return _told(held, car.L)
+    return told(held, car.L)
 
 
 def columns(one: Recording) -> dict[str, Array]:
@@ -157,7 +157,8 @@ def scenario(cell: Cell, foreign: str = "") -> Scenario:
     return read_scenario(BASE, changes=changes)
 
 
-def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+def told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+    """Return what an estimator is told of a recording's `columns` and the wheelbase [m], and the truth."""
     vehicle = Vehicle(
         "benchmark",
         L=Uncertain(L, None, parse_unit("m")),
