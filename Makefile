@@ -7,7 +7,7 @@ FUZZ := .venv/.installed-fuzz
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
+.PHONY: demo test check fuzz bench accuracy accelerometer multi-body foreign-truth alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -29,6 +29,10 @@ bench: $(BENCH)
 multi-body: $(DEV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev,plants]"
 	$(BIN)/python scripts/multi_body.py
+
+foreign-truth: $(DEV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev,plants]"
+	$(BIN)/python scripts/foreign_truth.py
 
 alarms: $(DEV)
 	$(BIN)/python scripts/alarms.py

@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from similitude.benchmark.acting_stiffness import acting_stiffness
 from similitude.benchmark.cells import Cell
 from similitude.benchmark.kept_drives import kept
 from similitude.simulation.car import Car, generator
@@ -100,7 +99,7 @@ def drives(cell: Cell, seed: int) -> list[tuple[Drive, Truth]]:
         return [_foreign(cell, one) for one in seeds]
     cars = draw(seeds, cell.car)
     recordings = run_scenario(scenario(cell), seeds, car=cars)
-    return [_told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
+    return [told(columns(one), L) for one, L in zip(recordings, np.atleast_1d(cars.L).tolist(), strict=True)]
 
 
 def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
@@ -110,7 +109,7 @@ def _foreign(cell: Cell, seed: int) -> tuple[Drive, Truth]:
 
 
 def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any]) -> tuple[Drive, Truth]:
-    """Return one drive of a foreign plant, whose true K is that with which its front axle acts.
+    """Return one drive of a foreign plant, whose true K is the slope of its tyres.
 
     Parameters
     ----------
@@ -119,12 +118,8 @@ def foreign_drive(scenario: Scenario, seed: int, description: Mapping[str, Any])
     description : mapping   all that the scenario depends on, by which the drive is kept
     """
     car = foreign_car(scenario.plant.model, scenario.plant.vehicle)
-
-    def made() -> dict[str, Array]:
-        one = run_scenario(scenario, [seed])[0]
-        return columns(one) | {"K": acting_stiffness(one.truth, car)}
-
-    return _told(kept({**description, "seed": seed, "K": "acting where a line"}, made), car.L)
+    held = kept({**description, "seed": seed}, lambda: columns(run_scenario(scenario, [seed])[0]))
+    return told(held, car.L)
 
 
 def columns(one: Recording) -> dict[str, Array]:
@@ -162,7 +157,8 @@ def scenario(cell: Cell, foreign: str = "") -> Scenario:
     return read_scenario(BASE, changes=changes)
 
 
-def _told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+def told(one: dict[str, Array], L: float) -> tuple[Drive, Truth]:
+    """Return what an estimator is told of a recording's `columns` and the wheelbase [m], and the truth."""
     vehicle = Vehicle(
         "benchmark",
         L=Uncertain(L, None, parse_unit("m")),
