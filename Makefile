@@ -9,7 +9,7 @@ TESTS := $(BIN)/python -m pytest -q -n auto
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check lint everything fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
+.PHONY: demo test check lint all fuzz bench accuracy accelerometer multi-body alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
@@ -25,7 +25,7 @@ lint: $(DEV)
 	$(BIN)/ruff format --check .
 
 # `make check test` with what both need made once.
-everything: lint
+all: lint
 	$(TESTS) -m ""
 
 fuzz: $(FUZZ)
