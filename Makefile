@@ -4,21 +4,29 @@ BIN := .venv/bin
 DEV := .venv/.installed-dev
 BENCH := .venv/.installed-bench
 FUZZ := .venv/.installed-fuzz
+# Shared out as tests/conftest.py has it.
+TESTS := $(BIN)/python -m pytest -q -n auto
 # Processor time shared by the readers that are fuzzed; by hand, a day: make fuzz FUZZ_SECONDS=86400
 FUZZ_SECONDS ?= 600
 
-.PHONY: demo test check fuzz bench accuracy accelerometer multi-body foreign-truth alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
+.PHONY: demo test check lint all fuzz bench accuracy accelerometer multi-body foreign-truth alarms spacing ladder cross-check real-logs damage embedded populations gallery clean
 
 demo: $(DEV)
 	$(BIN)/python scripts/demo.py
 
 test: $(DEV)
-	$(BIN)/python -m pytest -q -n auto --dist loadgroup
+	$(TESTS)
 
-check: $(DEV)
+check: lint
+	$(TESTS) -m slow
+
+lint: $(DEV)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/python -m pytest -q -n auto --dist loadgroup -m slow
+
+# `make check test` with what both need made once.
+all: lint
+	$(TESTS) -m ""
 
 fuzz: $(FUZZ)
 	$(BIN)/python -m fuzz --seconds $(FUZZ_SECONDS)

@@ -14,9 +14,11 @@ from __future__ import annotations
 import argparse
 import ctypes
 import json
+import os
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -210,18 +212,26 @@ def _measured(
 ) -> list[str]:
     """A folder on every target: a row each; what failed."""
     faults: list[str] = []
-    for target in targets:
-        scratch = folder.parent / target.name
-        scratch.mkdir()
-        try:
-            cost, _ = measure(folder, source, real, target, wanted, scratch)
-        except Exception as fault:
-            if "will not fit" not in str(fault):
-                raise
+    with ThreadPoolExecutor(os.cpu_count()) as pool:  # of emulators, which are processes of their own
+        costs = list(pool.map(lambda target: _cost(folder, source, real, target, wanted), targets))
+    for target, cost in zip(targets, costs, strict=True):
+        if cost is None:
             print(f"{source.name:30} {target.name:11} does not fit the part")
-            continue
-        faults += _judge(source.name, cost, wanted.words, budgets, write=write)
+        else:
+            faults += _judge(source.name, cost, wanted.words, budgets, write=write)
     return faults
+
+
+def _cost(folder: Path, source, real: str, target, wanted: Vectors) -> Cost | None:
+    """A folder on one target; None where it does not fit the part."""
+    scratch = folder.parent / target.name
+    scratch.mkdir()
+    try:
+        return measure(folder, source, real, target, wanted, scratch)[0]
+    except Exception as fault:
+        if "will not fit" not in str(fault):
+            raise
+        return None
 
 
 def _judge(name: str, cost: Cost, words: int, budgets: dict, *, write: bool) -> list[str]:

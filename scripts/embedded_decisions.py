@@ -17,6 +17,7 @@ import sys
 import types
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
+from functools import cache
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -30,10 +31,11 @@ from similitude.embedded.drive import monitored, self_test_rows
 from similitude.embedded.system import SHIPPED, find_source
 from similitude.program.library import Library
 
-SAMPLES, SINGLE = 10_000, 40_000  # rows of the rough drive, single steps
+SAMPLES, SINGLE = 10_000, 40_000  # rows of the rough drive, single steps at most
+SOME = 500  # of them, between two looks at what is left
 CHANGED = 3, 5, 2  # numbers of a configuration, a state and a sample that are changed, fewer than
 EVERY, FEW = 50, 5  # of how many rows a state is kept; and where something is seen for the first few times
-FACTORS = (0.0, -1.0, 1e-6, 1e-3, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0, 1e3, 1e6)
+FACTORS = np.array([0.0, -1.0, 1e-6, 1e-3, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0, 1e3, 1e6])
 
 
 class Watch(ast.NodeTransformer):
@@ -97,6 +99,7 @@ def _leaves(test: ast.expr) -> list[ast.expr]:
     return [test]
 
 
+@cache
 def outcome(test: ast.expr, values: tuple[bool, ...]) -> bool:
     """The decision for given values of its conditions, in the order they are written."""
     left = iter(values)
@@ -137,13 +140,18 @@ def driven(library: Library, watch: Watch, config: np.ndarray, rows: np.ndarray)
 
 
 def singly(library: Library, watch: Watch, kept: list[tuple], steps: int) -> None:
-    """Single steps from what was kept with a few numbers changed; what shows something rare is kept, too."""
+    """Single steps from what was kept with a few numbers changed; what shows something rare is kept, too.
+
+    They end where nothing is left to be shown: what was shown stays so.
+    """
     rng = np.random.default_rng(0)
-    for _ in range(steps):
+    for step in range(steps):
+        if step % SOME == 0 and not watch.unshown():
+            return
         changed = tuple(values.copy() for values in kept[rng.integers(len(kept))])
         for values, most in zip(changed, CHANGED, strict=True):
             at = rng.integers(len(values), size=rng.integers(most))
-            values[at] *= rng.choice(FACTORS, size=len(at))
+            values[at] *= FACTORS[rng.integers(len(FACTORS), size=len(at))]
         told, state, row = changed
         watch.rare = False
         try:

@@ -15,11 +15,14 @@ Each check runs where its tool is present and says so in a line where it is not:
 from __future__ import annotations
 
 import argparse
+import contextlib
+import io
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from similitude.embedded.configuration import find_numbers
@@ -211,33 +214,37 @@ def _finite_alarms(folder: Path, file: str, special: str, *more: str) -> int:
     return int(found.group(1)) + int(left.group(1)) + int(left.group(2))
 
 
+def examine(system: str, estimator: str, real: str, with_eva: bool) -> tuple[str, list[str]]:
+    """Every check of one estimator: what they say, and what failed."""
+    name = f"{system}_{estimator}_fixed" if real == "fixed" else f"{system}_{estimator}"
+    said = io.StringIO()
+    with tempfile.TemporaryDirectory(prefix="similitude-") as place, contextlib.redirect_stdout(said):
+        folder = Path(place, name)
+        export(system, estimator=estimator, real=real, target="host", out=folder)
+        faults = [*warnings(name, folder), *misra(name, folder)]
+        if name not in ASLEEP:
+            faults += [*sanitizers(name, folder), *branches(name, folder)]
+        if name in EVA and with_eva:
+            faults += [*eva(name, folder), *finite(name, folder, system, estimator)]
+    return said.getvalue(), faults
+
+
 def main() -> int:
-    """Run what can be run; the exit code."""
+    """Run what can be run, as many estimators at a time as there are processors; the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--only", help="one estimator, such as bicycle_paper")
     parser.add_argument("--no-eva", action="store_true", help="leave Frama-C out")
     asked = parser.parse_args()
+    every = [(system, estimator, "float") for system, names in SHIPPED.items() for estimator in names]
+    every += [("bicycle", estimator, "fixed") for estimator in FIXED]
+    names = ["_".join(one[: 2 if one[2] == "float" else 3]) for one in every]
+    wanted = [one for one, name in zip(every, names, strict=True) if asked.only in (None, name)]
     faults: list[str] = []
-    with tempfile.TemporaryDirectory(prefix="similitude-") as place:
-        for system, estimators in SHIPPED.items():
-            for estimator in estimators:
-                name = f"{system}_{estimator}"
-                if asked.only not in (None, name):
-                    continue
-                folder = Path(place, name)
-                export(system, estimator=estimator, real="float", target="host", out=folder)
-                faults += [*warnings(name, folder), *misra(name, folder)]
-                if name not in ASLEEP:
-                    faults += [*sanitizers(name, folder), *branches(name, folder)]
-                if name in EVA and not asked.no_eva:
-                    faults += [*eva(name, folder), *finite(name, folder, system, estimator)]
-        for estimator in FIXED:
-            name = f"bicycle_{estimator}_fixed"
-            if asked.only in (None, name):
-                folder = Path(place, name)
-                export("bicycle", estimator=estimator, real="fixed", target="host", out=folder)
-                faults += [*warnings(name, folder), *misra(name, folder)]
-                faults += [*sanitizers(name, folder), *branches(name, folder)]
+    with ProcessPoolExecutor() as pool:
+        jobs = [pool.submit(examine, *one, not asked.no_eva) for one in wanted]
+        for said, found in (job.result() for job in jobs):
+            print(said, end="", flush=True)
+            faults += found
     for fault in faults:
         print(f"FAILED {fault}")
     print("failed" if faults else "nothing found")

@@ -9,6 +9,7 @@ import os
 import pathlib
 import re
 import statistics
+from functools import cache
 
 import pytest
 
@@ -100,6 +101,7 @@ def module_name(path: pathlib.Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
+@cache
 def imports() -> dict[str, set[str]]:
     """Module to modules of this package that it imports anywhere, functions included."""
     known = {module_name(path): path for path in files(".py", under=PACKAGE)}

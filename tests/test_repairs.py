@@ -8,6 +8,7 @@ rate, so that difference is the share of the squares lost, and ln K may move by 
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -16,9 +17,10 @@ import pyarrow.parquet as pq
 import pytest
 
 from similitude.identification import identify
-from similitude.log import read_log
+from similitude.log import Log, read_log
 from similitude.log_fixes import FIXES
 from similitude.log_survey import survey
+from similitude.run import Run
 from similitude.units import parse_uncertain
 from similitude.vehicle_file import Vehicle, read_vehicle
 
@@ -128,13 +130,28 @@ def test_every_repair_is_tried():
     assert CASES.keys() | ELSEWHERE == FIXES.keys()
 
 
+@dataclass(frozen=True, eq=False)
+class Sound:
+    """A drive before it is damaged, its log as read back, and, once for all its repairs, its answer."""
+
+    drive: bad.Drive
+    vehicle: Vehicle
+    whole: Log
+
+    @cached_property
+    def run(self) -> Run:
+        """Of the whole log."""
+        return identify(self.whole, self.vehicle)
+
+
 @pytest.fixture(scope="module")
-def sound():
+def sound(tmp_path_factory):
     found = {}
     for name, make in BASES.items():
         drive = make()
-        vehicle = Vehicle("car", L=parse_uncertain(f"{drive.L:.4f} m"))
-        found[name] = (drive, REAL.get(name, vehicle))
+        vehicle = REAL.get(name, Vehicle("car", L=parse_uncertain(f"{drive.L:.4f} m")))
+        path = _written(tmp_path_factory.mktemp("sound"), drive, drive.columns, {})
+        found[name] = Sound(drive, vehicle, read_log(path, vehicle=vehicle))
     return found
 
 
@@ -150,7 +167,7 @@ def _written(folder: Path, drive, columns, units) -> Path:
 
 @pytest.mark.parametrize("base", BASES)
 def test_nothing_is_offered_on_a_sound_log(tmp_path, sound, base):
-    drive, vehicle = sound[base]
+    drive, vehicle = sound[base].drive, sound[base].vehicle
     seen = survey(_written(tmp_path, drive, drive.columns, {}), vehicle=vehicle)
 
     assert [one.fix for one in seen.findings if one.fix] == []
@@ -174,16 +191,14 @@ def _changed(whole, mended) -> float:
 @pytest.mark.parametrize("base", BASES)
 @pytest.mark.parametrize("fix", CASES)
 def test_a_repair_gives_the_sound_logs_answer(tmp_path, sound, fix, base):
-    case, (drive, vehicle) = CASES[fix], sound[base]
-    columns = dict(drive.columns)
-    whole = read_log(_written(tmp_path, drive, columns, {}), vehicle=vehicle)
-    damaged = case.damage(replace(drive, columns=columns), np.random.default_rng(3))
+    case, drive, vehicle, whole = CASES[fix], sound[base].drive, sound[base].vehicle, sound[base].whole
+    damaged = case.damage(replace(drive, columns=dict(drive.columns)), np.random.default_rng(3))
     path = _written(tmp_path, drive, damaged, case.units)
 
     seen = survey(path, vehicle=vehicle)
     if (base, fix) in UNSEEN:  # then it must not matter
         K = identify(read_log(path, vehicle=vehicle), vehicle).K
-        assert K.lo <= identify(whole, vehicle).K.value <= K.hi
+        assert K.lo <= sound[base].run.K.value <= K.hi
         return
     offered = {one.fix for one in seen.findings}
     assert fix in offered or not case.offered, [one.fault for one in seen.findings]
@@ -196,7 +211,7 @@ def test_a_repair_gives_the_sound_logs_answer(tmp_path, sound, fix, base):
         apart = mended.t - whole.t
         np.testing.assert_allclose(apart - np.median(apart), 0, atol=1e-6 if fix != "spread_times" else step)
         return
-    before, after = identify(whole, vehicle), identify(mended, vehicle)
+    before, after = sound[base].run, identify(mended, vehicle)
     lost = max(_lost(whole.r, mended.r), _changed(whole, mended))
     sds = [run.K.std / run.K.value for run in (before, after)]
     # The model leaves more of a real car unexplained than noise: there K must stay within its own sd.

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+from scipy.signal import lsim
 
-from similitude.simulate import bicycle_response
+from similitude.simulate import TOGETHER, _exponential, _matrices, bicycle_response
 
 CAR = {"L": 2.7, "K": 150.0, "pi1": 0.44, "eta": 1.4, "rho": 1.02}
 
@@ -64,6 +66,29 @@ def test_an_oversteering_car_above_its_critical_speed_is_unstable():
     assert_equal_to_integration(t, np.full(60, 45.0), np.full(60, 120.0), eta=0.6)
     long, _ = bicycle_response(np.arange(500) * 0.02, np.full(500, 1e-3), 45.0, **CAR | {"eta": 0.6})
     assert abs(long[-1]) > 100 * abs(long[50])
+
+
+def test_a_long_drive_at_one_speed_is_that_of_a_linear_system():
+    """More samples than are taken together; lsim takes them one by one."""
+    t = np.arange(3 * TOGETHER + 5) * 0.01
+    steer = 0.01 * np.random.default_rng(0).standard_normal(t.size)
+    A, B = _matrices(
+        *(np.full((1, 1), x) for x in (25.0, CAR["K"])), *(CAR[n] for n in ("L", "pi1", "eta", "rho"))
+    )
+
+    r, beta = bicycle_response(t, steer, 25.0, **CAR)
+
+    _, wanted, _ = lsim((A[0, 0], B[0, 0][:, None], np.eye(2), np.zeros((2, 1))), steer, t)
+    np.testing.assert_allclose(np.column_stack([25 * beta, r]), wanted, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("size", [1e-8, 0.4, 30.0])
+def test_the_exponential_is_the_librarys(size):
+    M = size * np.random.default_rng(0).standard_normal((3, 2, 4, 4))
+    wanted = expm(M)
+    # either rounds a few dozen times, and exp multiplies what its matrix is wrong by with its norm
+    room = 64 * np.finfo(float).eps * np.maximum(1, np.linalg.norm(M, axis=(-2, -1), keepdims=True))
+    assert (np.abs(_exponential(M) - wanted) <= room * np.abs(wanted).max((-2, -1), keepdims=True)).all()
 
 
 def test_many_cars_at_once_are_each_the_one():

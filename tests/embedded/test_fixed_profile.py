@@ -1,5 +1,7 @@
 """An estimator in whole numbers: which there are, whose numbers they take, how near to reals they stay."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,7 +12,7 @@ from similitude.embedded.fixed_profile import FIXED, fixed_profile
 from similitude.embedded.fixed_texts import expected_words, integer_rows
 from similitude.errors import UsageError
 
-PROFILES = {name: fixed_profile("bicycle", name) for name in FIXED}
+made = cache(fixed_profile)  # once each, and not before a test asks
 WORDS = st.one_of(st.integers(-(2**31), 2**31 - 1), st.sampled_from([-(2**31), 2**31 - 1, 0, 1, -1]))
 
 
@@ -28,7 +30,7 @@ def ran(profile, rows):
 
 @pytest.mark.parametrize("name", FIXED)
 def test_a_drive_reads_as_in_double(name):
-    profile = PROFILES[name]
+    profile = made("bicycle", name)
     ours, status, exact, wanted = ran(profile, rows_of_a_drive(6000, noise=0.0026))
 
     assert np.mean(status == wanted) > 0.999  # a sample on an edge may fall on its other side
@@ -42,9 +44,9 @@ def test_a_drive_reads_as_in_double(name):
 @settings(max_examples=150, deadline=None)
 @given(data=st.data())
 def test_any_words_leave_every_word_inside_its_format(name, data):
-    profile = PROFILES[name]
+    profile = made("bicycle", name)
     twin = profile.source.library().layout
-    state = data.draw(st.sampled_from(STATES[name]))[:]
+    state = data.draw(st.sampled_from(states(name)))[:]
     for row in data.draw(st.lists(st.lists(WORDS, min_size=4, max_size=4), min_size=1, max_size=8)):
         status, outputs = twin.step([0], state, row)
         assert status in twin.STATUS.values()
@@ -56,8 +58,10 @@ def test_any_words_leave_every_word_inside_its_format(name, data):
             assert f.format.lo <= word <= f.format.hi, f.name
 
 
-def _states(profile):
+@cache
+def states(name):
     """States along a drive, to begin from."""
+    profile = made("bicycle", name)
     twin = profile.source.library().layout
     state, found = twin.init([0]), []
     found.append(state[:])
@@ -67,11 +71,8 @@ def _states(profile):
     return found
 
 
-STATES = {name: _states(profile) for name, profile in PROFILES.items()}
-
-
 def test_after_any_garbage_it_learns_again():
-    profile = PROFILES["paper"]
+    profile = made("bicycle", "paper")
     twin = profile.source.library().layout
     state = twin.init([0])
     garbage = np.random.default_rng(0).integers(-(2**31), 2**31, (2000, 4))
@@ -84,8 +85,8 @@ def test_after_any_garbage_it_learns_again():
 def test_other_numbers_are_another_estimator():
     slower = fixed_profile("bicycle", "paper", sample_time=0.02)
 
-    assert slower.numbers.values[0] != PROFILES["paper"].numbers.values[0]
-    assert slower.source.c != PROFILES["paper"].source.c
+    assert slower.numbers.values[0] != made("bicycle", "paper").numbers.values[0]
+    assert slower.source.c != made("bicycle", "paper").source.c
 
 
 @pytest.mark.parametrize("name", ["population", "robust", None])

@@ -10,8 +10,9 @@ DT, RATE = 0.01, 0.2  # s, 1/s
 
 def test_the_information_is_that_of_the_last_seconds():
     values = {"dt": DT, "heard_rate": RATE, "sensitivity": 0.2, "inv_spread": 1.5, "heard": 0.0}
+    line = [heard()]
     for _ in range(4000):
-        values = run_statements([heard()], values)
+        values = run_statements(line, values)
     # exp(-8) of it is not there yet, and a sample counts whole
     assert values["heard"] == pytest.approx(1.5 * 0.2**2 / DT / RATE, rel=2e-3)
 

@@ -27,7 +27,6 @@ pytestmark = pytest.mark.slow
 
 CARS = 120
 NO_LAG = Uncertain(0.0, None, "s")
-TOGETHER = pytest.mark.xdist_group("reference")  # in one process, which fits the cars once
 
 
 def fits(cars, lag):
@@ -60,7 +59,7 @@ def coverage(fitted):
     return np.mean(np.abs(error) < 1.96 * np.array(std)), np.median(np.abs(error))
 
 
-@pytest.mark.parametrize("steer_rms", [3e-3, pytest.param(10e-3, marks=TOGETHER)])
+@pytest.mark.parametrize("steer_rms", [3e-3, 10e-3])
 def test_the_interval_covers_on_the_reference_experiment(steer_rms):
     covered, error = coverage(reference(steer_rms))
     assert 0.93 <= covered <= 0.995
@@ -82,14 +81,12 @@ def test_a_straight_road_teaches_nothing():
         assert abs(fit.x[0] - np.log(cars.K[i, 0])) < 3.5 * fit.std[0]
 
 
-@TOGETHER
 def test_a_constant_car_has_equal_halves():
     assert np.mean([fit.halves.apart > 3 for _, found in reference(10e-3) for fit in found]) <= 0.02
     halved = fleet(34, cars=40, steer_rms=10e-3, halve=True)
     assert np.mean([fit.halves.apart > 3 for fit in fits(halved, NO_LAG)]) >= 0.95
 
 
-@TOGETHER
 def test_handling_intervals_cover_over_the_population():
     """Every car's own numbers against the interval its log gives."""
     hits, counted = {}, {}
