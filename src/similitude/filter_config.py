@@ -47,7 +47,7 @@ DESIGN = {
     "excitation_ratio": 0.02,  # a sensitivity of a seventh of the noise, about 0.25 mrad of steer
     "excitation_rate": 1 / 5.0,  # 1/s
     "seldom": 0.015,  # s: every other sample of 100 a second; all of them would be overconfident
-    "slow_doubt": 1.75,  # of variances: errors of eta, rho and the steer scale are 1.3 to 5 times their sd
+    "slow_doubt": 1.75,  # in 80 s errors of eta, rho and the steer scale grow to 2 to 3 of their sd
     "surprise_rate": 1 / 0.5,  # 1/s
     "jump_ratio": 8.0,  # a car that is always restless must surprise more
     "surprise_limit": 1.5,  # the mean of 50 squared innovations is 1 with sd sqrt(2/50) = 0.2
