@@ -1,7 +1,7 @@
 """Prints how far the population filter's unknowns are off, over their own standard deviations.
 
-Forty cars a cell of the benchmark: at 15 s, before the change at 50 s and after it. 1 is what a filter reaches
-that knows what it does not know. `docs/filter.md`, "The interval".
+Forty cars a cell of the benchmark: at 15 s, before the change at 50 s and after it. 1 is what a filter
+reaches that knows what it does not know. `docs/filter.md`, "The interval".
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """The variance the population filter hands out: its own, and more where it leans on constants it learnt.
 
 The filter takes the model's error for noise that is forgotten in a moment. So with time it becomes surer of
-the constants beside the first unknown than it is right: on simulated drives of 80 s their errors are two to three
-times their standard deviations (scripts/consistency.py). How far the first unknown leans on them stands in the
-covariance, and that part of its variance counts for more.
+the constants beside the first unknown than it is right: on simulated drives of 80 s their errors are two to
+three times their standard deviations (scripts/consistency.py). How far the first unknown leans on them stands
+in the covariance, and that part of its variance counts for more.
 
 Invariant: what is handed out is between the filter's own variance and ``1 + slow_doubt`` times that.
 """
