@@ -1,7 +1,7 @@
 """The main job on the bundled logs: `make demo` runs this and says where the pictures are.
 
-Besides the logs as they were recorded there is one made here: the straight RAV4 drive with a small
-sine added to the steer, and to the yaw rate what a linear bicycle answers to that sine. The car's
+Besides the logs as they were recorded there is one made here: the straight RAV4 drive with two small
+sines added to the steer, and to the yaw rate what a linear bicycle answers to them. The car's
 own noise and wandering stay in. It shows what a little steering tells.
 """
 
@@ -23,16 +23,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 DATA = ROOT / "data"
 OUT = ROOT / "demo-out"
 
-SINE_FREQUENCY = 0.8  # Hz
-SINE_AMPLITUDE = 3e-3  # rad at the road wheel, some 3 degrees at the steering wheel
-# The bicycle that answers the sine. K is 25 % below the population's average, so that finding it
+SINES = (0.5, 1.5)  # Hz; one alone leaves K and the ratio of the axles open
+AMPLITUDE = 3e-3  # rad at the road wheel, some 3 degrees at the steering wheel
+# The bicycle that answers the sines. K is 25 % below the population's average, so that finding it
 # means having learnt it; the rest is the average car.
 PLANT = {"L": 2.65, "K": 110.0, "pi1": 0.4431, "eta": 1.42, "rho": 1.017}
 
-EXPECTED = {"rav4_straight": "not_excited", "rav4_with_sine": "identified"}
+EXPECTED = {"rav4_straight": "not_excited", "rav4_with_sines": "identified"}
 REMARKS = {
     "rav4_straight": "hardly steered: nothing to learn, and it says so",
-    "rav4_with_sine": f"a sine added, answered by a car of K = {PLANT['K']:.0f}; the RAV4's own motion stays",
+    "rav4_with_sines": f"two sines added, as K = {PLANT['K']:.0f} answers; the RAV4's own motion stays",
     "f1tenth_ds1 … 5": "steer is a late command, 0.63 to 1.0 of it arrives; K trades with it",
     "bmw_m8_double_lane_change": "its steer scale is a guess, and K carries that doubt",
 }
@@ -43,7 +43,7 @@ def main() -> int:
     console = Console()
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir()
-    sine = write_log_with_sine(DATA / "rav4_straight.csv", OUT / "rav4_with_sine.csv")
+    sine = write_log_with_sines(DATA / "rav4_straight.csv", OUT / "rav4_with_sines.csv")
     jobs = (
         ("rav4.toml", [DATA / "rav4_straight.csv", sine]),
         ("f1tenth.toml", sorted(DATA.glob("f1tenth_ds*.csv"))),
@@ -66,8 +66,8 @@ def main() -> int:
     return 1 if wrong else 0
 
 
-def write_log_with_sine(source: pathlib.Path, target: pathlib.Path) -> pathlib.Path:
-    """Copy a log, a sine added to its steer and a linear bicycle's answer to its yaw rate."""
+def write_log_with_sines(source: pathlib.Path, target: pathlib.Path) -> pathlib.Path:
+    """Copy a log, two sines added to its steer and a linear bicycle's answer to its yaw rate."""
     from similitude.simulate import bicycle_response
 
     with open(source, newline="", encoding="utf-8") as file:
@@ -75,7 +75,7 @@ def write_log_with_sine(source: pathlib.Path, target: pathlib.Path) -> pathlib.P
     table = np.array(rows, dtype=float)
     columns = {name.split(" [")[0]: i for i, name in enumerate(header)}
     t, speed = table[:, columns["t"]], table[:, columns["U"]]
-    delta = SINE_AMPLITUDE * np.sin(2 * math.pi * SINE_FREQUENCY * t)
+    delta = AMPLITUDE * sum(np.sin(2 * math.pi * frequency * t) for frequency in SINES)
     r, _ = bicycle_response(t, delta, speed, **PLANT)
     table[:, columns["delta"]] += delta
     table[:, columns["r"]] += r

@@ -62,6 +62,7 @@ class Case:
             "bias_drift": 0.0,
             "timing_error": 0.0,
             "structure_share": 0.001,
+            "slow_doubt": 0.0,  # as for any model: its priors are the truth's
             "gap": 100 * self.step,
             "input_limit": 100 * self.force,
             "output_limit": 1e6 * self.noise,

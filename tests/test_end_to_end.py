@@ -51,7 +51,7 @@ def demo():
 def answers(tmp_path_factory, demo):
     """Name of a log to its JSON, and the folder of its files."""
     out = tmp_path_factory.mktemp("out")
-    sine = demo.write_log_with_sine(DATA / "rav4_straight.csv", out / "rav4_with_sine.csv")
+    sine = demo.write_log_with_sines(DATA / "rav4_straight.csv", out / "rav4_with_sines.csv")
     jobs = {
         "rav4.toml": [DATA / "rav4_straight.csv", sine],
         "f1tenth.toml": [DATA / "f1tenth_ds1.csv"],
@@ -66,7 +66,7 @@ def answers(tmp_path_factory, demo):
     return found
 
 
-NAMES = ("rav4_straight", "rav4_with_sine", "f1tenth_ds1", "bmw_m8_double_lane_change")
+NAMES = ("rav4_straight", "rav4_with_sines", "f1tenth_ds1", "bmw_m8_double_lane_change")
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -134,9 +134,9 @@ def test_the_straight_drive_is_not_excited_and_says_so(answers):
 
 
 def test_with_a_little_steer_it_is_identified_and_the_plant_is_in_the_interval(answers, demo):
-    a = answers["rav4_with_sine"]
+    a = answers["rav4_with_sines"]
     assert a["verdict"] == "identified"
-    # The plant answers the sine alone and the car's own drive stays in: 3 sd, not 1.96.
+    # The plant answers the sines alone and the car's own drive stays in: 3 sd, not 1.96.
     sd = a["K"]["std"] / a["K"]["value"]
     assert abs(math.log(a["K"]["value"] / demo.PLANT["K"])) < 3 * sd
     assert a["prediction"]["rms"]["estimate"] < a["prediction"]["rms"]["kinematic"]
