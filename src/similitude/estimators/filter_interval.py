@@ -55,7 +55,6 @@ def interval(layout: Layout) -> list[Assign]:
 def _eliminate(layout: Layout, at: Sequence[int], k: int) -> list[Assign]:
     """Row k of D, L' and b, each less what the rows before it hold."""
     P, t, i = layout.covariance, layout.coordinates.index(layout.target), at[k]
-
     before = at[:k]
     rest = P[i, i] - sp.Add(*(S(f"ratio_{j}_{i}") * S(f"row_{j}_{i}") for j in before))
     least = LEAST_PIVOT * P[i, i] + LEAST_VARIANCE
