@@ -9,7 +9,7 @@ from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import DESIGN
 from similitude.filter_run import LINEAR
 from similitude.program.library import shipped
-from similitude.steer_lag import MEASURED_LAG
+from similitude.steer_lag import EARLIEST, MEASURED_LAG
 from similitude.units import Uncertain
 
 from .filter_rig import CAR as PRIOR
@@ -18,7 +18,7 @@ from .test_filter_run import setup_of
 from .test_prediction import simulate
 
 NOMINAL = np.zeros(2)
-CALM = np.log([1e-8, 2e-3])  # hardly any noise, hardly any disturbance
+CALM = np.log([1e-4, 2e-3])  # hardly any disturbance, and noise that lines between rows do not stand out of
 
 
 def frozen(log, *, lag=MEASURED_LAG, noise_std=NOISE, prior=PRIOR, steer_scale_sd=0.02):
@@ -27,7 +27,7 @@ def frozen(log, *, lag=MEASURED_LAG, noise_std=NOISE, prior=PRIOR, steer_scale_s
     return FrozenFilter(replace(setup, library=shipped(LINEAR)), joint)
 
 
-def at_truth(filter_, *, scale=1.0, lag=1e-4):
+def at_truth(filter_, *, scale=1.0, lag=0.0):
     return filter_.coordinates(np.array([*(CAR[name] for name in PRIOR.names), scale, lag]))
 
 
@@ -42,10 +42,17 @@ def test_coordinates_and_values_undo_each_other():
 def test_the_prior_holds_the_population_and_beside_it_scale_and_lag():
     prior = batch_prior(PRIOR, steer_scale_sd=0.2, lag=COMMANDED_LAG)
     assert np.array_equal(prior.covariance[:4, :4], PRIOR.covariance)
-    assert prior.mean[4:].tolist() == [1.0, 0.1]
-    assert prior.std[4:] == pytest.approx([0.2, 0.8])
+    assert prior.mean[4:] == pytest.approx([1.0, 0.1 + EARLIEST])
+    assert prior.std[4:] == pytest.approx([0.2, 0.08 / 0.11])
     stated = batch_prior(PRIOR, steer_scale_sd=0.02, lag=Uncertain(0.0, None, "s"))
-    assert 0 < stated.mean[5] < 1e-3 and stated.std[5] < 1
+    assert stated.mean[5] == EARLIEST and stated.std[5] * EARLIEST < 1e-3
+
+
+def test_a_steer_in_step_with_the_gyro_is_usual():
+    """A lag of nothing is at most two sd from a measured angle's, one of 50 ms no more than as far again."""
+    filter_ = frozen(drive(seconds=3))
+    away = [(at_truth(filter_, lag=lag) - filter_.middle)[5] / filter_.prior.std[5] for lag in (0.0, 0.05)]
+    assert -2 < away[0] < -1 and 1.5 < away[1] < 3
 
 
 def test_the_unknowns_stay_and_offset_and_bias_are_followed():

@@ -13,9 +13,21 @@ from similitude.status import STATUS
 from similitude.units import Uncertain
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import vehicle_prior
+from similitude.verdict import LINEAR
 
 from .log_text import csv_text, write
-from .simulated_drive import CAR, drive, log_of, metres, spoilt, vehicle
+from .simulated_drive import (
+    CAR,
+    FINE,
+    NOISE,
+    drive,
+    log_of,
+    metres,
+    spoilt,
+    vehicle,
+    wandering_steer,
+    yaw_rate,
+)
 from .test_filter_run import setup_of
 
 
@@ -160,15 +172,29 @@ def test_never_identified_on_a_straight_road(seed):
     assert abs(truth_in_sd(run)) < 3
 
 
-def test_a_command_tells_less_than_a_measured_steer():
-    _, commanded = reasoned(drive(seconds=60, rms=0.01, lag=0.08))
-    _, measured = reasoned(drive(seconds=60, rms=0.01))
+def test_until_a_drive_tells_the_scale_a_command_tells_less_than_a_measured_steer():
+    _, commanded = reasoned(drive(seconds=20, rms=0.01, lag=0.08))
+    _, measured = reasoned(drive(seconds=20, rms=0.01))
     assert commanded.trace.ln_K_std[-1] > measured.trace.ln_K_std[-1]
     assert abs(truth_in_sd(commanded)) < 3
 
 
 def test_outside_model_when_all_was_learnt_beyond_the_linear_range():
-    assert reasoned(drive(rms=0.08, band=(0.15, 0.8)))[0] == "outside_model"
+    """One turn of 0.6 g with a little steering on top."""
+    steer = 0.04 + wandering_steer(40, 0.004)
+    speed, every = np.full(steer.size, 25.0), FINE // 100
+    yaw = yaw_rate(steer, speed, 1 / FINE, **CAR)[::every]
+    yaw += NOISE * np.random.default_rng(0).standard_normal(yaw.size)
+    log = log_of(np.arange(yaw.size) / 100, steer[::every], yaw, speed[::every])
+    assert reasoned(log)[0] == "outside_model"
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_what_is_driven_on_the_way_to_the_limit_tells_K(seed):
+    """Half of the rows are beyond 0.3 g, and most is learnt from the others."""
+    verdict, run = reasoned(drive(rms=0.04, band=(0.15, 0.8), seed=seed))
+    assert np.mean(np.abs(run.trace.ay_kinematic) > LINEAR) > 0.4
+    assert verdict == "identified" and abs(truth_in_sd(run)) < 3
 
 
 def test_bad_data_when_a_quarter_of_the_cells_is_missing():

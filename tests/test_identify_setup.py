@@ -15,6 +15,7 @@ from similitude.identify_setup import (
     warnings_of,
     whole_log,
     with_fitted_lag,
+    with_whole_log,
 )
 from similitude.units import Uncertain
 
@@ -35,7 +36,7 @@ def batch(ready):
 def test_a_stated_lag_is_the_fit_s_prior(ready):
     stated = prepare(ready.setup.log, vehicle(steer_lag=Uncertain(0.02, 0.004, "s")))
     prior = whole_log(stated, stated.setup.run()).frozen.prior
-    assert prior.mean[5] == 0.02 and prior.std[5] == pytest.approx(0.2)
+    assert prior.mean[5] == pytest.approx(0.03) and prior.std[5] * 0.03 == pytest.approx(0.004)
 
 
 def test_the_lag_of_a_measured_angle_is_that_of_a_fit_that_came_to_rest(ready, batch):
@@ -48,6 +49,33 @@ def test_the_lag_of_a_measured_angle_is_that_of_a_fit_that_came_to_rest(ready, b
     stated = prepare(ready.setup.log, vehicle(steer_lag=Uncertain(0.02, 0.004, "s")))
     command = dataclasses.replace(ready, commanded=True)
     assert all(with_fitted_lag(one, batch) is one for one in (stated, command))
+
+
+def test_a_steer_that_the_fit_finds_as_late_as_a_command_is_one():
+    """The scan saw a measured angle; 45 ms are no such angle's, unless the vehicle file says that it is."""
+    late = drive(seconds=40, rms=0.03, lag=0.045, rate=50, seed=2)
+    unseen = prepare(late, vehicle(steer="measured"))
+    assert not unseen.commanded
+    for steer, is_command in ((None, True), ("measured", False)):
+        ready, batch = with_whole_log(dataclasses.replace(unseen, vehicle=vehicle(steer=steer)))
+        assert ready.commanded is is_command
+        assert ready.scan.total == pytest.approx(0.045, abs=0.012)
+        assert batch.frozen.prior.std[4] == pytest.approx(0.2 if is_command else 0.02)
+
+
+def test_a_steer_in_step_with_the_gyro_leaves_no_bias():
+    """Twelve cars whose lag is nothing: the fit's lag is as far off as it says, and K is on average right.
+
+    With a prior of ln lag, which has nothing infinitely far away, K read 1.5 to 3 % high.
+    """
+    off = []
+    for seed in range(12):
+        one = prepare(drive(seconds=30, rms=0.01, seed=seed), vehicle())
+        ready, batch = with_whole_log(one)
+        off.append([ready.scan.chosen / ready.scan.std, np.log(batch.values["K"] / CAR["K"]) / batch.std[0]])
+    lag, K = np.array(off).T
+    assert np.sqrt(np.mean(lag**2)) < 1.5  # 1 +- 0.2 of honest sds, on one and the same car's prior
+    assert abs(np.mean(K)) < 3 / np.sqrt(12)
 
 
 def test_at_town_speed_twenty_milliseconds_no_longer_pass_for_soft_tyres():
@@ -71,7 +99,7 @@ def test_a_command_has_a_wide_scale_and_a_long_lag():
     late = prepare(drive(seconds=60, rms=0.01, lag=0.1), vehicle())
     assert late.commanded
     prior = whole_log(late, late.setup.run()).frozen.prior
-    assert prior.std[4] == pytest.approx(0.2) and prior.mean[5] == pytest.approx(0.1)
+    assert prior.std[4] == pytest.approx(0.2) and prior.mean[5] == pytest.approx(0.11)
     assert any("command" in line for line in warnings_of(late, None, learnt=True))
 
 

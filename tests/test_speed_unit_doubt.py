@@ -76,7 +76,7 @@ def test_a_repair_that_was_asked_for_is_the_claim(town):
 def test_the_gain_of_a_fit_over_itself_is_nothing_and_its_distance_that_of_its_coordinates(town):
     ready = prepare(town, vehicle())
     batch = whole_log(ready, ready.setup.run())
-    sds = (batch.x - batch.frozen.coordinates(batch.frozen.prior.mean)) / batch.frozen.prior.std
+    sds = (batch.x - batch.frozen.middle) / batch.frozen.prior.std
 
     assert gain(batch, batch) == 0
     if np.count_nonzero(batch.frozen.prior.covariance) == 6:

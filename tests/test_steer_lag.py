@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from similitude.filter_config import COMMANDED_STEER_SD
-from similitude.steer_lag import COMMAND, CONVINCING, LONGEST, LagScan, find_lag, looks_like_command
+from similitude.steer_lag import COMMAND, CONVINCING, LONGEST, LagScan, find_lag, is_command
 from similitude.units import Uncertain
 from similitude.vehicle_prior import vehicle_prior
 
@@ -83,8 +83,8 @@ def test_the_vehicle_file_is_believed_unseen():
 def test_a_late_steer_is_taken_for_a_command():
     empty = np.empty(0)
     late, early = (LagScan(empty, empty, x, "scanned") for x in (COMMAND, np.nextafter(COMMAND, 0)))
-    assert looks_like_command(late)
-    assert not looks_like_command(early)
+    assert is_command(late, vehicle()) and not is_command(early, vehicle())
+    assert is_command(early, vehicle(steer="command")) and not is_command(late, vehicle(steer="measured"))
     assert COMMANDED_STEER_SD > 0.1
 
 
@@ -92,9 +92,10 @@ def test_a_log_without_a_single_usable_row_has_no_lag():
     log = drive(seconds=5)
     found = scan(spoilt(log, r=slice(None)))
     assert found.origin == "assumed"
-    # mean and sd of the lognormal with median 10 ms and sd 0.8, of which a tenth lies beyond the grid
-    assert found.chosen == pytest.approx(0.013, abs=0.002)
-    assert found.std == pytest.approx(0.010, abs=0.003)
+    # ln(lag + 10 ms) is normal about ln(20 ms) with sd 0.5: mean and sd 20 exp(1/8) - 10 = 12.7 ms and
+    # 12.1 ms, less of either since the grid ends at 40 ms
+    assert found.chosen == pytest.approx(0.0115, abs=0.001)
+    assert found.std == pytest.approx(0.0095, abs=0.0015)
     assert np.all(found.cost == 0)
 
 

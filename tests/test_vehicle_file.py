@@ -37,6 +37,7 @@ def test_the_new_vehicle_file_is_readable_with_every_line_filled_in(folder):
 
     names = ("L", "a", "b", "m", "Iz", "Caf", "Car", "steering_ratio", "steer_lag")
     assert all(getattr(vehicle, name) is not None for name in (*names, "yaw_rate_noise"))
+    assert vehicle.steer == "command" and read(folder, NEW_VEHICLE).steer is None
     assert vehicle.yaw_rate_noise.value == pytest.approx(math.radians(0.15), rel=1e-15)
     assert set(vehicle.origins.values()) == {"vehicle file car.toml"}
 
@@ -105,6 +106,8 @@ REFUSED = {
     "inertia": (L + 'm = "2 t"\nIz = "3 kg m^2"', "of m L\\^2", "Iz ="),
     "per degree": (L + 'm = "2 t"\nCaf = "1500 N/rad"', "weight", 'Caf = "1500 N/deg"'),
     "population": (L + 'population = "cars"', "there are 'passenger_cars', ", "population ="),
+    "steer": (L + 'steer = "comand"', "line 2: steer 'comand' is not known; there are", 'steer = "command"'),
+    "steer is a number": (L + "steer = 15.3", "there are 'measured', 'command'", "steer ="),
     "no wheelbase": ('m = "2010 kg"', "neither 'L' nor both 'a' and 'b'", 'L = "2.69 m"'),
     "empty": ("", "neither 'L'", 'L = "2.69 m"'),
     "name is a number": (L + "name = 3", "name = '3' is not text", 'name = "3"'),

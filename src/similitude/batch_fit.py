@@ -31,6 +31,7 @@ from similitude.batch_slopes import (
     whiten,
 )
 from similitude.filter_config import LIMIT_SD, LIMIT_SD_TARGET, ROOM
+from similitude.steer_lag import EARLIEST
 
 RATE = 50.0  # rows a second, enough for the yaw mode of a car a tenth as long
 LONG = 240.0  # s: a longer log has rows to spare ...
@@ -60,7 +61,7 @@ class Halves:
 class BatchFit:
     """The car that explains a whole log best.
 
-    ``x`` (6,) and ``covariance`` (6, 6) are of ln K, pi1, ln eta, ln rho, ln steer scale, ln steer lag;
+    ``x`` (6,) and ``covariance`` (6, 6) are of the coordinates of `batch_pass`;
     ``scales`` (2,) logarithms of the noise's and the disturbance's variance against nominal;
     ``zero`` steer offset [rad] and yaw bias [rad/s] with ``zero_std``; ``widened`` by how much the
     variance from the data was raised; ``settled`` whether the Newton steps came to rest;
@@ -88,6 +89,11 @@ class BatchFit:
     def values(self) -> dict[str, float]:
         """The unknowns by name [their units]."""
         return self.frozen.values(self.x)
+
+    @property
+    def lag_std(self) -> float:
+        """Standard deviation of the steer lag [s]."""
+        return (self.values["steer_lag"] + EARLIEST) * float(self.std[5])
 
     def correlation(self, name: str) -> float:
         """Of ln K with another coordinate [-]."""
@@ -157,7 +163,7 @@ def climb_roughly(
     """
     frozen = frozen.at_rate(ROUGH_RATE)
     x, now = _climb(frozen, start, scales, whiten(frozen, start, scales))
-    away = x - frozen.coordinates(frozen.prior.mean)
+    away = x - frozen.middle
     return x, now.cost + 0.5 * float(away @ _precision(frozen) @ away)
 
 
@@ -188,8 +194,7 @@ def coordinate_limits(frozen: FrozenFilter) -> tuple[NDArray[np.float64], NDArra
     """Lowest and highest coordinates, those of the filter, (6,) each."""
     widths = LIMIT_SD * frozen.prior.std
     widths[0] = LIMIT_SD_TARGET * np.hypot(frozen.prior.std[0], ROOM)
-    middle = frozen.coordinates(frozen.prior.mean)
-    return middle - widths, middle + widths
+    return frozen.middle - widths, frozen.middle + widths
 
 
 def _precision(frozen: FrozenFilter) -> NDArray[np.float64]:
@@ -200,7 +205,7 @@ def _climb(
     frozen: FrozenFilter, x: NDArray[np.float64], s: NDArray[np.float64], now: Whitened
 ) -> tuple[NDArray[np.float64], Whitened]:
     """Damped Gauss-Newton on the posterior with the scales held."""
-    middle, precision = frozen.coordinates(frozen.prior.mean), _precision(frozen)
+    middle, precision = frozen.middle, _precision(frozen)
     low, high = coordinate_limits(frozen)
     damping = 1e-3
 
@@ -270,7 +275,7 @@ class _Point:
 
     def newton(self, frozen: FrozenFilter) -> tuple[NDArray[np.float64], float]:
         """The next step (6,), and by how much the information is overstated once it is taken."""
-        middle, precision = frozen.coordinates(frozen.prior.mean), _precision(frozen)
+        middle, precision = frozen.middle, _precision(frozen)
         low, high = coordinate_limits(frozen)
         curve = self.now.times(self.steered, self.own)
         pull = self.steered.T @ self.now.pull

@@ -4,7 +4,7 @@ Invariant: with the unknowns held, the generated step is the Kalman filter of wh
 (v*, r*, disturbance, steer offset, yaw bias), so the innovations of a pass are those of the trial car;
 nothing is simulated a second way.
 
-    x  coordinates of a trial: ln K, pi1, ln eta, ln rho, ln steer scale, ln steer lag [s]
+    x  coordinates of a trial: ln K, pi1, ln eta, ln rho, ln steer scale, ln(steer lag + EARLIEST) [s]
     s  logarithms of the noise's and the disturbance's variance against nominal
 """
 
@@ -18,13 +18,15 @@ from numpy.typing import NDArray
 
 from similitude.filter_run import Pass, Setup
 from similitude.population import Prior
+from similitude.steer_lag import EARLIEST
 from similitude.units import Uncertain
 
 FROZEN = {"excitation_ratio": 1e30, "idle_drift": 0.0, "drift": 0.0}  # groups held, biases follow
 HELD_SD = 1e-6  # of what is known: its uncertainty must not show in the innovations
 COMMANDED_LAG = Uncertain(0.100, 0.080, "s")  # a servo besides
-STATED_LAG_SD = 0.2  # of its logarithm, where the vehicle file gives none
-LEAST_LAG = 1e-4  # s, what a stated lag of nothing stands for
+STATED_LAG_SD = 0.2  # of a lag, where the vehicle file gives none ...
+LEAST_LAG_SD = 1e-4  # s ... and of one of nothing
+FROM = EARLIEST * np.eye(6)[5]  # where each unknown is counted from, (6,)
 
 
 def batch_prior(prior: Prior, *, steer_scale_sd: float, lag: Uncertain) -> Prior:
@@ -35,15 +37,20 @@ def batch_prior(prior: Prior, *, steer_scale_sd: float, lag: Uncertain) -> Prior
     prior : of K, pi1, eta, rho.
     steer_scale_sd : sd of the logarithm of the scale [-].
     lag : typical steer lag and its sd [s]; without one a fifth of the lag.
+
+    Returns
+    -------
+    Prior    of what is counted from `FROM`: its lag is behind `EARLIEST`. A steer in step with the gyro is
+             then usual; of the logarithm of the lag itself it would be infinitely far away.
     """
-    lag_sd = lag.sd / lag.value if lag.sd and lag.value > 0 else STATED_LAG_SD
+    lag_sd = (lag.sd or max(STATED_LAG_SD * lag.value, LEAST_LAG_SD)) / (lag.value + EARLIEST)
     covariance = np.zeros((6, 6))
     covariance[:4, :4] = prior.covariance
     covariance[4, 4], covariance[5, 5] = steer_scale_sd**2, lag_sd**2
     return Prior(
         (*prior.names, "steer_scale", "steer_lag"),
         (*prior.kinds, "log", "log"),
-        np.concatenate([prior.mean, [1.0, max(lag.value, LEAST_LAG)]]),
+        np.concatenate([prior.mean, [1.0, lag.value]]) + FROM,
         covariance,
         prior.origins,
     )
@@ -54,7 +61,7 @@ class FrozenFilter:
     """A filter to be run over one log for one trial car after another."""
 
     setup: Setup
-    prior: Prior  # of the six coordinates
+    prior: Prior  # of the six coordinates, as `batch_prior` counts them
 
     def at_rate(self, rate: float) -> FrozenFilter:
         """The same over the log's means at so many rows a second [Hz]."""
@@ -62,11 +69,16 @@ class FrozenFilter:
 
     def coordinates(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Coordinates of values, (6,) each."""
-        return self.prior.coordinates(values)
+        return self.prior.coordinates(values + FROM)
+
+    @property
+    def middle(self) -> NDArray[np.float64]:
+        """Coordinates of the prior's mean, (6,)."""
+        return self.prior.coordinates(self.prior.mean)
 
     def values(self, x: NDArray[np.float64]) -> dict[str, float]:
         """The unknowns by name [their units]."""
-        return dict(zip(self.prior.names, self.prior.values(x).tolist(), strict=True))
+        return dict(zip(self.prior.names, (self.prior.values(x) - FROM).tolist(), strict=True))
 
     def rows(self, x: NDArray[np.float64]) -> NDArray[np.float64]:
         """Samples of the log as the trial car felt them, (n, 4)."""

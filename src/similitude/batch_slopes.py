@@ -18,7 +18,7 @@ STEP = np.array([1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 0.05])  # of a slope; a lag moves
 SCALE_STEP = 0.1  # of a scale's logarithm
 SCALE_LOW, SCALE_HIGH = np.log([1e-5, 2e-3]), np.log([1e3, 50.0])
 DEAF = np.array([np.log(1e4), SCALE_LOW[1]])  # noise so large that the gyro is hardly followed
-OUTLIER = 16.0  # squared innovation over its variance, as in the filter
+OUTLIER = 9.0  # squared innovation over its variance, as in the filter
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +42,7 @@ class Whitened:
 
 
 def whiten(frozen: FrozenFilter, x: NDArray[np.float64], s: NDArray[np.float64], **given) -> Whitened:
-    """A pass, weighed; an innovation beyond four sd counts as in the filter. ``given`` as for its run."""
+    """A pass, weighed; an innovation beyond three sd counts as in the filter. ``given`` as for its run."""
     done = frozen.run(x, s, **given)
     e, S, used = done.output("innovation"), done.output("innovation_variance"), done.used
     size = e * e / S

@@ -47,6 +47,7 @@ DESIGN = {
     "excitation_ratio": 0.02,  # a sensitivity of a seventh of the noise, about 0.25 mrad of steer
     "excitation_rate": 1 / 5.0,  # 1/s
     "seldom": 0.015,  # s: every other sample of 100 a second; all of them would be overconfident
+    "beyond_time": 0.2,  # s: past 0.3 g the tyre law errs first; 0.05 lets visits move K, 0.3 predicts worse
     "slow_doubt": 1.75,  # in 80 s errors of eta, rho and the steer scale grow to 2 to 3 of their sd
     "surprise_rate": 1 / 0.5,  # 1/s
     "jump_ratio": 8.0,  # a car that is always restless must surprise more
@@ -55,7 +56,7 @@ DESIGN = {
     "faint_drift": 5e-3,  # 1/s: a jump that could not have shown may have come, one by half in 100 s
     "inv_telling": 1 / 60.0,  # from an information of 60 a halved stiffness shows at once
     "observed_least": 0.1,
-    "outlier_ratio": 16.0,  # four sd
+    "outlier_ratio": 9.0,  # three sd, as the monitor's: kerbs and blows
     "gap": 1.0,  # s
     "input_limit": 1.3,  # rad
     "output_limit": 12.0,  # rad/s

@@ -21,7 +21,7 @@ from similitude.identify_setup import (
     reported,
     seen_speed,
     warnings_of,
-    whole_log,
+    with_whole_log,
 )
 from similitude.log import Log
 from similitude.prediction import predict_ahead
@@ -35,9 +35,8 @@ from similitude.verdict import evidence, linear_doubts, verdict
 
 def identify_batch(log: Log, vehicle: Vehicle) -> Run:
     """Fit a whole log at once; see `similitude.identification.identify`."""
-    ready = prepare(log, vehicle)
+    ready, batch = with_whole_log(prepare(log, vehicle))
     prior = ready.prior
-    batch = whole_log(ready, ready.setup.run())
     setup = replace(ready.setup, library=batch.frozen.setup.library)
     done = replace(batch.frozen, setup=setup).run(batch.x, batch.scales)
     rows = np.ones(log.samples)
@@ -92,5 +91,5 @@ def _nuisance(batch: BatchFit) -> dict[str, Nuisance]:
         "yaw_bias": Nuisance(bias, bias_std, "rad/s"),
         "steer_offset": Nuisance(offset, offset_std, "rad"),
         "steer_scale": Nuisance(scale, float(scale * batch.std[4]), "-"),
-        "steer_lag": Nuisance(lag, float(lag * batch.std[5]), "s"),
+        "steer_lag": Nuisance(lag, batch.lag_std, "s"),
     }

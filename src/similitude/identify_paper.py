@@ -24,7 +24,7 @@ from similitude.population import Prior
 from similitude.program.library import Library, shipped
 from similitude.run import Assumed, Group, Run, Trace, axle_stiffness, held, positive_estimate
 from similitude.status import STATUS
-from similitude.steer_lag import LagScan, find_lag, looks_like_command
+from similitude.steer_lag import LagScan, find_lag, is_command
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import vehicle_prior
 from similitude.verdict import evidence, verdict
@@ -57,7 +57,7 @@ def identify_paper(log: Log, vehicle: Vehicle) -> Run:
     speed = float(state[library.index("state", "last_U")]) or 1.0
     bias = predicted_bias(library, config, state, L=L, noise_std=noise.std, pi3=prior.mean[0] / speed**2)
     T = design.dimensionless_step(sample_time, speed, L)
-    off = known_errors(T, bias, looks_like_command(scan))
+    off = known_errors(T, bias, is_command(scan, vehicle))
     trace = _trace(library, log, outputs, status, off)
     code, reason = verdict(evidence(log, trace, prior))
     K = positive_estimate(trace.K[-1], trace.ln_K_std[-1], "m^2/s^2")

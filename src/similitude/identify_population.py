@@ -25,7 +25,7 @@ from similitude.identify_setup import (
     seen_speed,
     warnings_of,
     whole_log,
-    with_fitted_lag,
+    with_whole_log,
 )
 from similitude.information_meter import information
 from similitude.log import Log
@@ -46,9 +46,10 @@ SIDEWAYS = {"ay_bias": "m/s^2", "place": "-"}  # of the accelerometer's filter
 def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = None) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
     ready = prepare(log, vehicle, state.settings if state else None)
-    batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
     if state is None:
-        ready = with_fitted_lag(ready, batch)
+        ready, batch = with_whole_log(ready)
+    else:
+        batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
     prior, scan = ready.prior, ready.scan
     accelerometer, unused = find_accelerometer(log, vehicle)
     setup = ready.setup.with_accelerometer(accelerometer) if accelerometer else ready.setup

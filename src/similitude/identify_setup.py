@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.batch_fit import BatchFit, fit_batch
-from similitude.batch_pass import COMMANDED_LAG, LEAST_LAG, FrozenFilter, batch_prior
+from similitude.batch_pass import COMMANDED_LAG, FrozenFilter, batch_prior
 from similitude.filter_config import COMMANDED_STEER_SD, DESIGN, MEASURED_STEER_SD
 from similitude.filter_run import LINEAR, POPULATION, Pass, Setup, population_setup
 from similitude.log import Log
@@ -22,7 +22,7 @@ from similitude.program.library import shipped
 from similitude.run import Z95, Assumed, Batch, Group, positive_estimate
 from similitude.servo import Servo
 from similitude.slow_bus import held_columns, new_readings, without_lines, without_repeats
-from similitude.steer_lag import MEASURED_LAG, LagScan, find_lag, looks_like_command
+from similitude.steer_lag import COMMAND, MEASURED_LAG, LagScan, find_lag, is_command
 from similitude.steer_servo import find_servo
 from similitude.vehicle_file import Vehicle
 from similitude.vehicle_prior import NAMES, ONE_DRIVE, vehicle_prior
@@ -69,12 +69,18 @@ def prepare(log: Log, vehicle: Vehicle, settings: Mapping[str, float] | None = N
     known = {"L": vehicle.L.value, "noise_std": noise.std, "input_scale_sd": MEASURED_STEER_SD}
     setup = population_setup(without_repeats(log, held), prior, **known)
     scan = find_lag(setup, vehicle)
-    commanded = looks_like_command(scan)
-    if commanded and vehicle.steer_lag is None:
-        scan = find_servo(setup, scan)
-    setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD if commanded else MEASURED_STEER_SD)
-    setup = setup.with_servo(scan.servo)
-    return Prepared(vehicle, prior, noise, setup, scan, commanded, held)
+    if is_command(scan, vehicle):
+        return _of_command(Prepared(vehicle, prior, noise, setup, scan, True, held))
+    return Prepared(vehicle, prior, noise, setup.with_lag(scan.chosen, MEASURED_STEER_SD), scan, False, held)
+
+
+def _of_command(ready: Prepared) -> Prepared:
+    """The same with the servo that the log of a command speaks for, and the sd of a command's scale."""
+    setup, scan = ready.setup, ready.scan
+    if ready.vehicle.steer_lag is None:
+        scan = find_servo(setup.with_lag(0.0, MEASURED_STEER_SD), scan)
+    setup = setup.with_lag(scan.chosen, COMMANDED_STEER_SD).with_servo(scan.servo)
+    return replace(ready, setup=setup, scan=scan, commanded=True)
 
 
 def _as_before(
@@ -86,7 +92,23 @@ def _as_before(
     setup = population_setup(log, prior, L=vehicle.L.value, noise_std=noise.std, input_scale_sd=scale)
     scan = LagScan(np.empty(0), np.empty(0), lag, FROM_STATE, servo=servo)
     setup = setup.with_lag(lag, scale).with_servo(servo)
-    return Prepared(vehicle, prior, noise, setup, scan, looks_like_command(scan), held)
+    return Prepared(vehicle, prior, noise, setup, scan, is_command(scan, vehicle), held)
+
+
+def with_whole_log(ready: Prepared) -> tuple[Prepared, BatchFit | None]:
+    """A log ready for the filter once its whole-log fit has been asked for the lag, and that fit.
+
+    A steer that acts later than a measured wheel can is a command, and is fitted as one. Without a C compiler
+    there is no fit.
+    """
+    if ready.setup.library.c is None:
+        return ready, None
+    batch = whole_log(ready, ready.setup.run())
+    fitted = with_fitted_lag(ready, batch)
+    if fitted.setup.lag < COMMAND or fitted is ready or ready.vehicle.steer is not None:
+        return fitted, batch
+    ready = _of_command(fitted)
+    return ready, whole_log(ready, ready.setup.run())
 
 
 def whole_log(ready: Prepared, done: Pass) -> BatchFit:
@@ -94,7 +116,7 @@ def whole_log(ready: Prepared, done: Pass) -> BatchFit:
     lag = ready.vehicle.steer_lag or (COMMANDED_LAG if ready.commanded else MEASURED_LAG)
     prior = batch_prior(ready.prior, steer_scale_sd=ready.setup.input_scale_sd, lag=lag)
     frozen = FrozenFilter(replace(ready.setup, library=shipped(_tyres(ready.setup.log))), prior)
-    scanned = max(ready.scan.chosen, LEAST_LAG) if ready.scan.origin == "scanned" else prior.mean[5]
+    scanned = ready.scan.chosen if ready.scan.origin == "scanned" else lag.value
     start = np.array([*(done.value(name) for name in NAMES), 1.0, scanned])
     scales = np.log([done.value("noise_scale"), done.value("disturbance_scale")])
     return fit_batch(frozen, frozen.coordinates(start), scales)
@@ -119,7 +141,7 @@ def with_fitted_lag(ready: Prepared, batch: BatchFit | None) -> Prepared:
     if batch is None or not batch.settled or ready.commanded or ready.vehicle.steer_lag is not None:
         return ready
     lag = round(batch.values["steer_lag"], 4)  # a tenth of a millisecond: below it the fit's rounding shows
-    scan = replace(ready.scan, chosen=lag, std=lag * float(batch.std[5]), origin="fitted")
+    scan = replace(ready.scan, chosen=lag, std=batch.lag_std, origin="fitted")
     setup = ready.setup.with_lag(lag, ready.setup.input_scale_sd)
     return replace(ready, scan=scan, setup=setup)
 
@@ -199,7 +221,8 @@ def warnings_of(ready: Prepared, batch: BatchFit | None, *, learnt: bool) -> lis
         lines.append(f"running the scalar Python twin, {setup.library.why_slow}{left_out}")
     if ready.commanded:
         lines.append(
-            f"the steer acts {1000 * scan.total:.0f} ms after its column says so: it looks like a command, "
+            f"the steer acts {1000 * scan.total:.0f} ms after its column says so: "
+            f"{'it looks like' if ready.vehicle.steer is None else 'it is'} a command, "
             "so its scale is taken as uncertain by 20 %; measure the road wheel to do better"
             + (" (or steer and yaw rate were logged by two clocks)" if scan.total > TWO_CLOCKS else "")
         )
@@ -253,7 +276,8 @@ def assumed_of(ready: Prepared) -> dict[str, Assumed]:
     """Every number that was not in the log, with where it came from."""
     vehicle, prior, scan = ready.vehicle, ready.prior, ready.scan
     stated = vehicle.yaw_rate_noise is not None
-    scale = "the steer looks like a command" if ready.commanded else "a measured road-wheel angle"
+    looks = "looks like" if vehicle.steer is None else "is"
+    scale = f"the steer {looks} a command" if ready.commanded else "a measured road-wheel angle"
     lag = {
         "fitted": "fitted to the whole log",
         "scanned": "scanned: the log speaks for it",

@@ -23,13 +23,15 @@ class Unknown:
 
     ``role``: ``identify`` (the first one: may change at any time), ``estimate`` (constant, learnt),
     ``seldom`` (constant, learnt from one sample in a while: what it trades against is learnt first),
+    ``beyond`` (constant, what bends the model beyond its linear range: there it learns from every sample, and
+    the others from one in a while),
     ``consider`` (constant, kept at its prior while its uncertainty is carried along).
     """
 
     name: str
     unit: str
     kind: Literal["log", "linear"]
-    role: Literal["identify", "estimate", "seldom", "consider"]
+    role: Literal["identify", "estimate", "seldom", "beyond", "consider"]
     meaning: str
 
     @property

@@ -104,7 +104,7 @@ def _worth_a_fit(
         frozen = replace(batch.frozen, setup=_faster(ready, factor).setup)
         return climb_roughly(frozen, start, batch.scales)[1]
 
-    middle = batch.frozen.coordinates(batch.frozen.prior.mean)
+    middle = batch.frozen.middle
     here, *there = side_by_side(
         [lambda: least_cost(1.0, batch.x)]
         + [lambda factor=factor: least_cost(factor, middle) for factor, _, _ in others]
@@ -124,7 +124,7 @@ def _others(claimed: float) -> list[tuple[float, str, str | None]]:
 
 def distance(batch: BatchFit) -> float:
     """Squared distance of the fitted car, steer scale and lag from the middle of their prior [-]."""
-    away = batch.x - batch.frozen.coordinates(batch.frozen.prior.mean)
+    away = batch.x - batch.frozen.middle
     return float(away @ np.linalg.solve(batch.frozen.prior.covariance, away))
 
 

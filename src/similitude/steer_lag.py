@@ -25,9 +25,8 @@ LONGEST = 0.25  # s
 RATE = 50.0  # rows a second: a lag moves every row of a manoeuvre, so fewer tell as much
 DEPENDENT = 0.3  # s: innovations of a wrong model stay alike this long
 CONVINCING = 4.0  # log likelihood gained over no lag, in independent samples: odds of 50 to 1
-MEASURED_LAG = Uncertain(
-    0.010, 0.008, "s"
-)  # buses and filters; the sd over the value is that of the logarithm
+MEASURED_LAG = Uncertain(0.010, 0.010, "s")  # buses, filters, and either may be logged late
+EARLIEST = 0.010  # s: a steer that is logged late seems to act so much before it is there, at most
 FINE = 0.001  # s: the lags of a measured steer, finer than the scan
 EARLY = (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)  # s by which a yaw rate may come before its steer
 COMMAND = 0.03  # s: a measured road wheel does not act this late; a command does
@@ -143,9 +142,9 @@ def costs(tried: Sequence[NDArray[np.float64]], setup: Setup) -> NDArray[np.floa
 
 def _of_measured(lags: NDArray[np.float64], cost: NDArray[np.float64]) -> tuple[float, str, float]:
     """Mean and sd [s] of the lag of a measured steer angle, as far as the scan leaves it open."""
-    lag = np.arange(FINE, COMMAND + STEP, FINE)
-    log_sd = MEASURED_LAG.sd / MEASURED_LAG.value
-    before = np.exp(-0.5 * (np.log(lag / MEASURED_LAG.value) / log_sd) ** 2) / lag
+    lag = np.arange(FINE - EARLIEST, COMMAND + STEP, FINE)
+    after, usual = lag + EARLIEST, MEASURED_LAG.value + EARLIEST
+    before = np.exp(-0.5 * (np.log(after / usual) * usual / MEASURED_LAG.sd) ** 2) / after
     weight = before * np.exp(-np.interp(lag, lags, cost))
     mean = float(np.average(lag, weights=weight))
     return mean, "assumed", float(np.sqrt(np.average((lag - mean) ** 2, weights=weight)))
@@ -161,6 +160,6 @@ def _vertex(lags: NDArray[np.float64], cost: NDArray[np.float64], best: int) -> 
     return lag, STEP / float(np.sqrt(curvature))
 
 
-def looks_like_command(scan: LagScan) -> bool:
-    """Whether the steer column acts so late that it must be a command rather than a measurement."""
-    return scan.total >= COMMAND
+def is_command(scan: LagScan, vehicle: Vehicle) -> bool:
+    """Whether the steer column is a command: as the vehicle file says, or because it acts so late."""
+    return scan.total >= COMMAND if vehicle.steer is None else vehicle.steer == "command"

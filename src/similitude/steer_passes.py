@@ -29,7 +29,7 @@ def passes(setup: Setup, scan: LagScan) -> tuple[Pass, NDArray[np.float64]]:
         return _behind_others(setup, scan)
     if scan.std == 0:
         return setup.run(), np.zeros(setup.log.samples)
-    lags = [scan.chosen, scan.chosen + scan.std, max(scan.chosen - scan.std, 0.0)]
+    lags = [scan.chosen, scan.chosen + scan.std, scan.chosen - scan.std]
     at_lags = [setup.with_lag(lag, setup.input_scale_sd) for lag in lags]
     done, *sides = side_by_side([at_lag.run for at_lag in at_lags])
     later, earlier = (np.log(side.output("estimate")) for side in sides)

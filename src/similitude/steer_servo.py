@@ -8,7 +8,7 @@ Invariant: a measured steer angle has no servo; where the log says nothing, a co
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -56,10 +56,12 @@ def find_servo(setup: Setup, scan: LagScan) -> LagScan:
     """
     coarse = setup.at_rate(RATE)
     best = _Trial(DIRECT, scan.chosen)
-    best, _ = _best(coarse, best, [trial for T in CONSTANTS for trial in _with_constant(best, T)])
+    best, _ = _best(coarse, best, _with_constants(best, CONSTANTS))
     best, _ = _best(coarse, best, [replace(best, servo=replace(best.servo, slew=slew)) for slew in SLEWS])
     for _ in range(ROUNDS):
-        before, (best, cost) = best, _best(coarse, best, _near(best))
+        # any time constant: one that was found for another lag or slew may lie behind a rise of the cost
+        trials = list(dict.fromkeys(_near(best) + _with_constants(best, CONSTANTS)))
+        before, (best, cost) = best, _best(coarse, best, trials)
         if best == before:
             break
     behind = lag_behind(setup.with_servo(best.servo))
@@ -82,18 +84,20 @@ def _near(trial: _Trial) -> list[_Trial]:
         return values[max(at - 1, 0) : at + 2]
 
     lags = [replace(trial, lag=max(trial.lag + step, 0.0)) for step in STEPS]
-    near = [x for T in beside(CONSTANTS, trial.servo.constant) for x in _with_constant(trial, T)]
+    near = _with_constants(trial, beside(CONSTANTS, trial.servo.constant))
     slews = beside(SLEWS, trial.servo.slew)
     return [
         replace(x, servo=replace(x.servo, slew=slew)) for x in dict.fromkeys(lags + near) for slew in slews
     ]
 
 
-def _with_constant(trial: _Trial, constant: float) -> list[_Trial]:
-    """Another time constant with the lag as it was, and as it would have to be for the same delay in all."""
-    change = constant - trial.servo.constant
-    servo = replace(trial.servo, constant=constant)
-    return [_Trial(servo, max(trial.lag - share * change, 0.0)) for share in (0.0, 0.5, 1.0)]
+def _with_constants(trial: _Trial, constants: Iterable[float]) -> list[_Trial]:
+    """Other time constants with the lag as it was, and as it would have to be for the same delay in all."""
+    return [
+        _Trial(replace(trial.servo, constant=T), max(trial.lag - share * (T - trial.servo.constant), 0.0))
+        for T in constants
+        for share in (0.0, 0.5, 1.0)
+    ]
 
 
 def _best(setup: Setup, best: _Trial, others: list[_Trial]) -> tuple[_Trial, dict[_Trial, float]]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -26,6 +26,7 @@ from similitude.vehicle_values import (
 )
 
 DEFAULT_POPULATION = "passenger_cars"
+STEERS = ("measured", "command")  # the angle of the road wheels, or what a servo was told
 
 NEW_VEHICLE = """\
 # What is known about the car. Only L is needed (or a and b); every further line narrows the
@@ -44,6 +45,7 @@ L = "2.69 m"                        # wheelbase
 # Car = "110000 N/rad"              # cornering stiffness, both rear tyres together
 # steering_ratio = 15.3             # steering wheel angle over road wheel angle
 # steer_lag = "20 ms"               # from the logged steer to the road wheels
+# steer = "command"                 # the logged steer is what a servo was told; or "measured"
 population = "passenger_cars"       # what similar cars are like; or "light_trucks", "all_vehicles",
                                     # "small_cars_1to10", "brennan_2004"
 
@@ -66,6 +68,7 @@ class Vehicle:
     Caf, Car : Uncertain or None        cornering stiffness of the front and rear axle [N/rad]
     steering_ratio : Uncertain or None  steering wheel angle over road wheel angle [-]
     steer_lag : Uncertain or None       from logged steer to road wheels [s]
+    steer : str or None                 what the log's steer is: one of `STEERS`
     yaw_rate_noise : Uncertain or None  standard deviation of the yaw rate's noise [rad/s]
     accelerometer : Uncertain or None   its place behind the front axle [m]
     population : str                    one of `similitude.populations.shipped.shipped_names`
@@ -84,6 +87,7 @@ class Vehicle:
     steer_lag: Uncertain | None = None
     yaw_rate_noise: Uncertain | None = None
     accelerometer: Uncertain | None = None
+    steer: str | None = None
     population: str = DEFAULT_POPULATION
     origins: dict[str, str] = field(default_factory=dict)
 
@@ -112,10 +116,12 @@ def read_vehicle(path: str | Path) -> Vehicle:
     if not isinstance(sensor, Mapping):
         raise unknown_key(path, "sensor", SENSOR_KEYS, text)
     name = document.pop("name", path.stem)
-    population = document.pop("population", None)
+    population, steer = document.pop("population", None), document.pop("steer", None)
     values = read_values(path, document, KEYS, text) | read_values(path, sensor, SENSOR_KEYS, text)
     origins = dict.fromkeys(values, source)
-    _check_words(path, name, population, text)
+    _check_words(path, name, {"population": (population, POPULATIONS), "steer": (steer, STEERS)}, text)
+    if steer:
+        origins["steer"] = source
     origins["population"] = source if population else "assumed: population not named in the file"
     population = population or DEFAULT_POPULATION
     fault = find_fault(values, population=population)
@@ -129,10 +135,13 @@ def read_vehicle(path: str | Path) -> Vehicle:
             paste='L = "2.69 m"',
             read=READ,
         )
-    return Vehicle(name=name, population=population, origins=origins, **values)
+    return Vehicle(name=name, population=population, steer=steer, origins=origins, **values)
 
 
-def _check_words(path: Path, name: object, population: object, text: str) -> None:
+def _check_words(
+    path: Path, name: object, chosen: Mapping[str, tuple[object, Iterable[str]]], text: str
+) -> None:
+    """Refuse a name that is no text, and a word that is none of those to choose from."""
     if not isinstance(name, str):
         raise VehicleError(
             f"{path.name}{line_of('name', text)}: name = {shown(name)} is not text",
@@ -140,14 +149,15 @@ def _check_words(path: Path, name: object, population: object, text: str) -> Non
             paste=f'name = "{name if isinstance(name, (int, float)) else "my car"}"',
             read=READ,
         )
-    known = isinstance(population, str) and population in POPULATIONS
-    if population is not None and not known:
-        near = difflib.get_close_matches(str(population), POPULATIONS, n=1, cutoff=0.0)
+    for key, (word, words) in chosen.items():
+        if word is None or (isinstance(word, str) and word in words):
+            continue
+        near = difflib.get_close_matches(str(word), words, n=1, cutoff=0.0)
         raise VehicleError(
-            f"{path.name}{line_of('population', text)}: population {shown(population)} is not "
-            f"known; there are {', '.join(map(repr, POPULATIONS))}",
+            f"{path.name}{line_of(key, text)}: {key} {shown(word)} is not "
+            f"known; there are {', '.join(map(repr, words))}",
             usually="it is a matter of spelling.",
-            paste=f'population = "{near[0]}"',
+            paste=f'{key} = "{near[0]}"',
             read=READ,
         )
 

@@ -40,6 +40,7 @@ SENSOR_KEYS = {
 _EXAMPLES = {
     "name": 'name = "my car"',
     "population": 'population = "passenger_cars"',
+    "steer": 'steer = "command"',
     "sensor": 'sensor.yaw_rate_noise = "0.15 deg/s"',
     **{key: line for key, (_, line) in KEYS.items()},
     **{key: f"sensor.{line}" for key, (_, line) in SENSOR_KEYS.items()},
@@ -155,7 +156,7 @@ def unknown_key(path: Path, key: str, keys: Mapping, text: str) -> VehicleError:
         hint = f"; did you mean '{meant}'?"
         usually = (
             "it is a matter of spelling; upper and lower case differ, and the known keys are "
-            f"name, {', '.join(KEYS)}, population and, under [sensor], {', '.join(SENSOR_KEYS)}."
+            f"name, {', '.join(KEYS)}, steer, population and, under [sensor], {', '.join(SENSOR_KEYS)}."
         )
     return VehicleError(
         f"{path.name}{line_of(key, text)}: key {shown(key)} is not known{hint}",

@@ -5,7 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from similitude.benchmark.ladder_entrants import _fitted_lag, ladder, prepared
+from similitude.benchmark.cells import Cell
+from similitude.benchmark.drives import drives
+from similitude.benchmark.ladder_entrants import LAG_AGAIN, _fitted_lag, ladder, prepared
 from similitude.benchmark.scoring import unfit
 
 from .linear_drive import linear_drive
@@ -39,11 +41,21 @@ def test_every_answer_is_one_number_a_row(name):
     assert name == "batch" or answer.operations > 50
 
 
-def test_the_population_entrant_is_the_products_pass():
+def test_the_population_entrant_is_the_products_pass_with_the_lag_of_what_was_driven():
     drive, _ = linear_drive()
-    done = prepared(drive).setup.run()
+    early = drive.t < LAG_AGAIN
+    first, then = (prepared(drive, after).setup.run().output("estimate") for after in (10.0, LAG_AGAIN))
+    K = BY_NAME["population"].estimate(drive).K
 
-    assert np.array_equal(BY_NAME["population"].estimate(drive).K, done.output("estimate"))
+    assert np.array_equal(K, np.where(early, first, then))
+    begun = drive.until(20.0)  # which has no thirty seconds
+    assert np.array_equal(BY_NAME["population"].estimate(begun).K, first[drive.t < 20.0])
+
+
+def test_the_lag_of_thirty_seconds_is_better_known_than_that_of_ten_where_those_were_slow():
+    ((drive, _),) = drives(Cell("sweep", "linear", "none", 1), 5)
+    ten, thirty = prepared(drive).scan, prepared(drive, LAG_AGAIN).scan
+    assert thirty.std < 0.5 * ten.std and abs(thirty.chosen) < 3 * thirty.std
 
 
 def test_the_change_is_alarmed_once_and_soon():

@@ -141,8 +141,8 @@ def test_information_only_grows_and_the_covariance_stays_one():
     assert scaled_eigenvalues(covariance(library, state)).min() > 0
 
 
-def test_a_spike_counts_for_no_more_than_four_sd():
-    """The innovation's weight falls as 1/nis: a spike of 100 sd moves K less than one of 4 sd would."""
+def test_a_spike_counts_for_no_more_than_three_sd():
+    """The innovation's weight falls as 1/nis: a spike of 100 sd moves K less than one of 3 sd would."""
     rows = long_drive(6000, seed=6)
     spiked = rows.copy()
     spiked[5000, 3] += 100 * NOISE

@@ -13,7 +13,7 @@ from scipy.signal import butter, sosfilt
 from similitude.filter_config import filter_config
 from similitude.program.library import shipped
 
-from ..filter_rig import CAR, NOISE
+from ..filter_rig import CAR, NOISE, covariance
 
 LIBRARY = shipped("saturating_bicycle_population")
 LINEAR = shipped("bicycle_population")
@@ -78,11 +78,16 @@ def manoeuvres():
 MANOEUVRES = manoeuvres()
 
 
+def rows_of(steer, r):
+    """The log of a drive, its yaw rate with noise."""
+    measured = r + NOISE * np.random.default_rng(1).standard_normal(len(r))
+    return np.column_stack([np.full(len(T), 0.01), steer, np.full(len(T), SPEED), measured])
+
+
 def estimate(library, steer, tyre):
     """Error of ln K and its sd over the drive, and the greatest lateral acceleration [m/s^2]."""
     r = response(steer, tyre)
-    measured = r + NOISE * np.random.default_rng(1).standard_normal(len(r))
-    rows = np.column_stack([np.full(len(T), 0.01), steer, np.full(len(T), SPEED), measured])
+    rows = rows_of(steer, r)
     config = filter_config(library, CAR, L=L, noise_std=NOISE, input_scale_sd=0.02)
     outputs, _ = library.run(config, library.start(config), rows)
     return np.log(outputs[:, 0] / TRUTH["K"]), np.sqrt(outputs[:, 1]), np.abs(r * SPEED).max()
@@ -109,3 +114,26 @@ def test_a_linear_tyre_would_read_the_limit_as_softness(manoeuvre):
     steer = MANOEUVRES[manoeuvre]
     linear, ours = (np.abs(estimate(one, steer, brush)[0][3000:5000]).max() for one in (LINEAR, LIBRARY))
     assert ours < linear
+
+
+def test_beyond_the_linear_range_one_sample_in_a_while_teaches_and_grip_learns_from_each():
+    """The state's variances tell what a sample taught: K's falls once in 0.2 s there, grip's with each."""
+    steer = MANOEUVRES["limit slalom"]
+    rows = rows_of(steer, response(steer, brush))
+    config = filter_config(LIBRARY, CAR, L=L, noise_std=NOISE, input_scale_sd=0.02)
+    state, names = LIBRARY.start(config), list(LIBRARY.layout.COORDINATES)
+    LIBRARY.run(config, state, rows[:3300])
+    variances, beyond, teaches = [np.diag(covariance(LIBRARY, state))], [], []
+    for row in rows[3300:4800]:
+        _, status = LIBRARY.run(config, state, row[None])
+        variances.append(np.diag(covariance(LIBRARY, state)))
+        beyond.append(status[0] == LIBRARY.layout.STATUS["outside_linear"])
+        teaches.append(state[LIBRARY.index("state", "untaught")] == 0)
+    fell, beyond, teaches = np.diff(variances, axis=0) < 0, np.array(beyond), np.array(teaches)
+
+    assert 0.5 < beyond.mean() < 1.0 and teaches[~beyond].all()
+    assert 1 / 35 < teaches[beyond].mean() < 1 / 19  # one in 0.2 s; each visit begins with a wait
+    for name in ("K", "eta"):
+        learnt = fell[:, names.index(name)]
+        assert learnt[teaches].mean() > 0.5 and not learnt[beyond & ~teaches].any()
+    assert fell[beyond, names.index("grip")].mean() > 0.9

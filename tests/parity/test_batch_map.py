@@ -12,6 +12,7 @@ from scipy.optimize import least_squares
 
 from similitude import batch_fit, batch_pass
 from similitude.filter_config import DESIGN
+from similitude.steer_lag import EARLIEST
 from similitude.units import Uncertain
 
 from ..simulated_drive import CAR, NOISE, drive
@@ -58,18 +59,18 @@ def most_probable(log, prior):
     """Mode and covariance (6, 6) of ln K, pi1, ln eta, ln rho, ln scale, ln lag, by squares."""
     U, dt, L = float(log.U[0]), float(log.t[1] - log.t[0]), CAR["L"]
     middle = np.array([
-        np.log(prior.mean[0]), prior.mean[1], *np.log(prior.mean[2:4]), 0.0, np.log(LAG.value),
+        np.log(prior.mean[0]), prior.mean[1], *np.log(prior.mean[2:4]), 0.0, np.log(LAG.value + EARLIEST),
         0.0, 0.0, 0.0, 0.0,
     ])  # fmt: skip
     sd = np.array([
-        *prior.std, SCALE_SD, LAG.sd / LAG.value,
+        *prior.std, SCALE_SD, LAG.sd / (LAG.value + EARLIEST),
         DESIGN["input_offset_sd"], DESIGN["output_bias_sd"],
         DESIGN["v_star_sd"] * U, DESIGN["r_star_sd"] * U / L,
     ])  # fmt: skip
 
     def left(z):
         x = middle + sd * z
-        lag, scale, (offset, bias, v, r) = np.exp(x[5]), np.exp(x[4]), x[6:]
+        lag, scale, (offset, bias, v, r) = np.exp(x[5]) - EARLIEST, np.exp(x[4]), x[6:]
         steer = scale * np.interp(log.t - lag, log.t, log.delta) + offset
         p = (np.exp(x[0]), x[1], np.exp(x[2]), np.exp(x[3]))
         return np.r_[(log.r - yaw_rate(p, steer, U, dt, (v, r)) - bias) / NOISE, z]

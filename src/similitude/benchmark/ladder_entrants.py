@@ -2,7 +2,7 @@
 
 They are what `identify` runs, with one difference: nothing is taken from the end of a log for its
 beginning. The steer lag is fitted to the first ten seconds, which are not judged, as `identify` fits it to
-the whole log; only `batch` sees a whole log at once.
+the whole log, and for the population filter anew after thirty; only `batch` sees a whole log at once.
 """
 
 from __future__ import annotations
@@ -36,6 +36,7 @@ from similitude.vehicle_prior import vehicle_prior
 from similitude.verdict import evidence, verdict
 
 Done = TypeVar("Done")
+LAG_AGAIN = 30.0  # s: then the steer lag is fitted anew, and what was driven gone over again
 SCAN = LagScan(np.empty(0), np.empty(0), MEASURED_LAG.value, "assumed", MEASURED_LAG.sd)
 
 
@@ -52,14 +53,14 @@ def ladder() -> list[Entrant]:
     ]
 
 
-@lru_cache(maxsize=1)
-def prepared(drive: Drive) -> Prepared:
-    """Return a drive ready for the population's estimators, with nothing taken from its end.
+@lru_cache(maxsize=2)
+def prepared(drive: Drive, after: float = SETTLING) -> Prepared:
+    """Return a drive ready for the population's estimators, with the steer lag that its first seconds show.
 
     They ask one after another: the lag is fitted for the first, and its time stands with that one.
     """
     ready = _of_measured(drive)
-    lag = _fitted_lag(_Start.of(drive.until(drive.t[0] + SETTLING)))
+    lag = _fitted_lag(_Start.of(drive.until(drive.t[0] + after)))
     return replace(ready, setup=ready.setup.with_lag(lag.chosen, MEASURED_STEER_SD), scan=lag)
 
 
@@ -78,7 +79,7 @@ class _Start:
         return cls(rows, (drive.L, drive.noise), drive)
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=2)
 def _fitted_lag(start: _Start) -> LagScan:
     ready = _of_measured(start.drive)
     return with_fitted_lag(ready, whole_log(ready, ready.setup.run())).scan
@@ -104,13 +105,27 @@ def _of_measured(drive: Drive) -> Prepared:
 
 
 def _population(drive: Drive, *, accelerometer: bool = False) -> Answer:
-    ready = prepared(drive)
+    """The first rows with the lag of ten seconds, the others from a pass with that of thirty."""
+    again = drive.t[0] + LAG_AGAIN
+    if drive.t[-1] < again:
+        return _one_pass(drive, prepared(drive), accelerometer)
+    begun = drive.until(again)
+    first = _one_pass(begun, prepared(begun), accelerometer)
+    then = _one_pass(drive, prepared(drive, LAG_AGAIN), accelerometer)
+    late = drive.t >= again
+    K, sd = then.K.copy(), then.ln_K_std.copy()
+    K[~late], sd[~late] = first.K, first.ln_K_std
+    alarms = [t for t in first.alarms if t < again] + [t for t in then.alarms if t >= again]
+    return replace(then, K=K, ln_K_std=sd, alarms=alarms)
+
+
+def _one_pass(drive: Drive, ready: Prepared, accelerometer: bool) -> Answer:
     setup = ready.setup
     if accelerometer:
         place = drive.vehicle.accelerometer
         setup = setup.with_accelerometer(Accelerometer(place.value, place.sd, AY_NOISE))
     lag, sd = ready.scan.chosen, ready.scan.std
-    lags = [lag + sd, max(lag - sd, 0.0)]
+    lags = [lag + sd, lag - sd]
     done, seconds = _timed(setup.run)
     later, earlier = side_by_side([setup.with_lag(one, MEASURED_STEER_SD).run for one in lags])
     spread = np.abs(np.log(later.output("estimate") / earlier.output("estimate"))) / 2

@@ -20,7 +20,13 @@ from similitude.program.symmetric import Shared, column, predict, reduce_by
 from similitude.reduction import Unknown
 from similitude.sampling import ImplicitStep
 
-ORDER = ("inv_spread", "learn", "learn_slow", "learn_seldom")  # of weights: each is zero where one before is
+ORDER = (  # of weights: each is zero where one before is
+    "inv_spread",
+    "learn_beyond",
+    "learn",
+    "learn_slow",
+    "learn_seldom",
+)
 
 Beside = Callable[[int, Mapping[int, sp.Symbol]], list[Assign]]  # as of `program.symmetric.predict`
 Move = Callable[[str, str], list[Assign]]  # name of a positive state, and of the change of its logarithm
@@ -276,7 +282,7 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
         Assign("linear", sp.Piecewise((1, linear_range(layout)), (0, True)), "1 in the model's linear range"),
         Assign("odd", sp.Min(S("nis"), 9) - 1, "by how much it is not as expected"),
         surprise(),
-        Assign("learn", S("excited") * S("inv_spread")),
+        *_leave(layout),
         heard(),
         *jump(),
         Assign(
@@ -315,11 +321,29 @@ def _update(layout: Layout, H: Mapping[int, sp.Expr]) -> list[Statement]:
     return lines
 
 
+def _leave(layout: Layout) -> list[Statement]:
+    """What the innovation counts with for the first unknown.
+
+    Beyond the linear range an innovation tells first how the model bends there, and what that misses stays
+    for a while: what bends it learns from every sample, the rest from one in ``beyond_time``.
+    """
+    heard = S("excited") * S("inv_spread")
+    if not layout.beyond:
+        return [Assign("learn", heard)]
+    teaches = sp.Or(S("linear") > sp.Rational(1, 2), S("untaught") >= S("beyond_time"))
+    return [
+        Assign("learn_beyond", heard),
+        Assign("untaught", S("untaught") + dt),
+        Assign("learn", sp.Piecewise((heard, teaches), (0, True)), "its error there lasts"),
+        When(S("learn") > 0, (Assign("untaught", sp.Integer(0)),), ()),
+    ]
+
+
 def weights(layout: Layout, rows: Iterable[int], learn: str = "learn") -> dict[int, str]:
     """Index -> name of what the innovation counts with for that coordinate."""
     names = layout.coordinates
     weight = {n: "learn_slow" for n in (*layout.unknowns, INPUT_SCALE)} | {layout.target: learn}
-    weight |= dict.fromkeys(layout.seldom, "learn_seldom")
+    weight |= dict.fromkeys(layout.seldom, "learn_seldom") | dict.fromkeys(layout.beyond, "learn_beyond")
     return {i: weight.get(names[i], "inv_spread") for i in rows}
 
 

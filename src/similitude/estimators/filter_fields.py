@@ -84,6 +84,11 @@ class Layout:
         return tuple(u.name for u in self.reduction.unknowns if u.role == "seldom")
 
     @property
+    def beyond(self) -> tuple[str, ...]:
+        """Unknowns that bend the model beyond its linear range."""
+        return tuple(u.name for u in self.reduction.unknowns if u.role == "beyond")
+
+    @property
     def covariance(self) -> Symmetric:
         """Covariance of the coordinates; logarithms of positive unknowns."""
         return Symmetric("P", len(self.coordinates))
@@ -201,6 +206,12 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         Field("excitation_rate", "1/s", "averaging rate of the excitation"),
         Field("seldom", "s", "least time between samples that the seldom learnt unknowns learn from"),
         *_if(
+            bool(layout.beyond),
+            Field(
+                "beyond_time", "s", "the same beyond the linear range, for all but what bends the model there"
+            ),
+        ),
+        *_if(
             not layout.lean,
             Field("slow_doubt", "-", f"share of ln {t}'s variance from learnt constants that is added to it"),
         ),
@@ -302,6 +313,10 @@ def state_fields(layout: Layout) -> tuple[Field, ...]:
         Field("excitation", f"({o.unit})^2", "mean square sensitivity to the first unknown"),
         Field("excited", "-", "1 while the input excites the first unknown, else 0"),
         Field("unlearnt", "s", "time since the seldom learnt unknowns last learnt anything"),
+        *_if(
+            bool(layout.beyond),
+            Field("untaught", "s", f"time since a sample last taught more than {', '.join(layout.beyond)}"),
+        ),
         Field(
             "validity",
             f"({_validity_unit(layout)})^2",

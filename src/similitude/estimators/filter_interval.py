@@ -28,7 +28,7 @@ def S(name: str) -> sp.Symbol:
 
 def leant_on(layout: Layout) -> tuple[str, ...]:
     """Coordinates that are constant and learnt from every sample."""
-    learnt = tuple(u.name for u in layout.reduction.unknowns if u.role == "estimate")
+    learnt = tuple(u.name for u in layout.reduction.unknowns if u.role in ("estimate", "beyond"))
     return (*learnt, INPUT_SCALE) if INPUT_SCALE in layout.errors else learnt
 
 

@@ -16,6 +16,7 @@ from collections.abc import Mapping
 import sympy as sp
 
 from similitude.estimators.filter_adapt import LARGEST_STEP, exponential, keep_within, move_log
+from similitude.estimators.filter_covariance import ORDER
 from similitude.estimators.filter_fields import DISTURBANCE, INPUT_SCALE, OFFSET, Layout
 from similitude.estimators.filter_jump import share
 from similitude.model import Quantity
@@ -24,11 +25,7 @@ from similitude.program.parts import as_part
 from similitude.program.symmetric import column, reduce_by
 
 HALF = sp.Rational(1, 2)
-LEAVES = (
-    "learn",
-    "learn_slow",
-    "learn_seldom",
-)  # as the first output gave them, each a part of the one before
+LEAVES = ORDER[1:]  # as the first output gave them, each a part of the one before
 
 
 def S(name: str) -> sp.Symbol:
@@ -102,9 +99,9 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
     total = sp.Add(*(slope * S(f"{n}_c_{k}") for k, slope in H.items())) + S(f"{n}_noise")
     away = S(f"{n}_response") + S(f"{n}_bias") + H.get(t, 0) * S("move")  # the target moves at the end
     bounded = Assign(spread.name, spread * S("outlier_ratio") / S(f"{n}_nis"))
-    leave = _leave(layout, n)
+    leave, leaves = _leave(layout, n), LEAVES if layout.beyond else LEAVES[1:]
     gains = {i: S(f"{n}_gain_{i}") for i, name in enumerate(names) if name not in layout.considered}
-    rank = {spread.name: 0} | {f"{n}_{kind}": k for k, kind in enumerate(LEAVES, start=1)}
+    rank = {spread.name: 0} | {f"{n}_{kind}": k for k, kind in enumerate(leaves, start=1)}
     gained = S(f"{n}_gained")
     early = sorted({*H, t})
     corrected = column(P, H, f"{n}_c", (i for i in range(P.n) if i not in early))
@@ -124,7 +121,7 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
         When(S(f"{n}_nis") > S("outlier_ratio"), (bounded,), (), "an outlier counts for less"),
         *(
             Assign(f"{n}_{kind}", sp.Piecewise((spread, S(kind) > 0), (0, True)), "where the first may learn")
-            for kind in LEAVES
+            for kind in leaves
         ),
         Assign(gains[t].name, S(f"{n}_c_{t}") * S(leave.get(layout.target, spread.name))),
         Assign(f"{n}_inv_P", 1 / P[t, t]),
@@ -138,7 +135,8 @@ def _correct(layout: Layout, q: Quantity) -> list[Statement]:
 def _leave(layout: Layout, n: str) -> dict[str, str]:
     """Coordinate -> the weight its gain is taken with, where it is not that of every sample."""
     leave = dict.fromkeys((*layout.unknowns, INPUT_SCALE), f"{n}_learn_slow")
-    return leave | dict.fromkeys(layout.seldom, f"{n}_learn_seldom") | {layout.target: f"{n}_learn"}
+    leave |= dict.fromkeys(layout.seldom, f"{n}_learn_seldom") | {layout.target: f"{n}_learn"}
+    return leave | dict.fromkeys(layout.beyond, f"{n}_learn_beyond")
 
 
 def _moves(layout: Layout, n: str, gains: Mapping[int, sp.Symbol]) -> list[Assign]:

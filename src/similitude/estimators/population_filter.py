@@ -48,7 +48,7 @@ LEAST_SHARE = sp.Rational(1, 3000)  # of the greatest scale: keeps the step fini
 # Working values of the step whose names do not follow from the model; no unknown may be called so.
 WORKING = frozenset(
     "above above_move away cold bounded_move doubt expected follow gained h i_det inv_P inv_det "
-    "inv_dt inv_output_scale keep keep_w leant learn learn_seldom learn_slow least_scale "
+    "inv_dt inv_output_scale keep keep_w leant learn learn_beyond learn_seldom learn_slow least_scale "
     "linear lost nis noise noise_change odd output_rate output_scale p pp q qq ramp response rise "
     "seen sensitivity span steer steer_change told u u_end u_plain unseen validity_now "
     "validity_square validity_then w_nominal".split()
@@ -169,6 +169,7 @@ def _init(layout: Layout) -> list[Statement]:
         "age",
         "started",
     ]
+    names += ["untaught"] if layout.beyond else []
     names += [f"last_{q.name}" for q in layout.signals if not layout.lean]
     least = S("signal_limit") * LEAST_SHARE
     lines += [Assign(f"last_{q.name}", least) for q in layout.signals if layout.lean]

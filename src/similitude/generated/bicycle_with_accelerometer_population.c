@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip, place
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias
  *
- * Operations: step 2590 at most, 130 at least (arithmetic, comparisons, selects), init 8.
- * Memory: state 126 reals, configuration 95 reals; no heap, no globals, no libm, C99.
+ * Operations: step 2598 at most, 130 at least (arithmetic, comparisons, selects), init 8.
+ * Memory: state 127 reals, configuration 96 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -111,6 +111,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     bicycle_with_accelerometer_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     bicycle_with_accelerometer_population_real seldom; /* [s] least time between samples that the seldom learnt unknowns learn from */
+    bicycle_with_accelerometer_population_real beyond_time; /* [s] the same beyond the linear range, for all but what bends the model there */
     bicycle_with_accelerometer_population_real slow_doubt; /* [-] share of ln K's variance from learnt constants that is added to it */
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */
@@ -167,6 +168,7 @@ typedef struct bicycle_with_accelerometer_population_state {
     bicycle_with_accelerometer_population_real excitation; /* [(rad/s)^2] mean square sensitivity to the first unknown */
     bicycle_with_accelerometer_population_real excited; /* [-] 1 while the input excites the first unknown, else 0 */
     bicycle_with_accelerometer_population_real unlearnt; /* [s] time since the seldom learnt unknowns last learnt anything */
+    bicycle_with_accelerometer_population_real untaught; /* [s] time since a sample last taught more than grip */
     bicycle_with_accelerometer_population_real validity; /* [(m/s^2)^2] recent peak of the validity signal, squared */
     bicycle_with_accelerometer_population_real information; /* [-] information gained about ln K */
     bicycle_with_accelerometer_population_real last_input; /* [rad] input of the sample before */
@@ -269,6 +271,7 @@ SIMILITUDE_API void bicycle_with_accelerometer_population_init(const bicycle_wit
     state->last_input = R(0.0);
     state->age = R(0.0);
     state->started = R(0.0);
+    state->untaught = R(0.0);
     state->last_U = R(0.0);
     state->ay_bias = R(0.0);
     state->ay_activity = R(0.0);
@@ -415,6 +418,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
         const bicycle_with_accelerometer_population_real c_1,
         const bicycle_with_accelerometer_population_real learn_seldom,
         const bicycle_with_accelerometer_population_real learn_slow,
+        const bicycle_with_accelerometer_population_real learn_beyond,
         const bicycle_with_accelerometer_population_real c_11,
         const bicycle_with_accelerometer_population_real c_3,
         const bicycle_with_accelerometer_population_real gain_3,
@@ -437,7 +441,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     const bicycle_with_accelerometer_population_real gain_4 = c_4*learn_seldom;
     const bicycle_with_accelerometer_population_real gain_5 = c_5*learn_slow;
     const bicycle_with_accelerometer_population_real gain_6 = c_6*learn_slow;
-    const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_slow;
+    const bicycle_with_accelerometer_population_real gain_7 = c_7*learn_beyond;
     const bicycle_with_accelerometer_population_real gain_8 = c_8*learn_slow;
     const bicycle_with_accelerometer_population_real gain_9 = c_9*learn_slow;
     const bicycle_with_accelerometer_population_real gain_10 = c_10*inv_spread;
@@ -483,7 +487,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     P[37] = P[37] - c_4*gain_3;
     P[38] = P[38] - c_5*gain_3;
     P[39] = P[39] - c_6*gain_3;
-    P[40] = P[40] - c_7*gain_3;
+    P[40] = P[40] - c_3*gain_7;
     P[41] = P[41] - c_8*gain_3;
     P[42] = P[42] - c_9*gain_3;
     P[43] = P[43] - c_3*gain_10;
@@ -500,14 +504,14 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct(
     P[54] = P[54] - c_4*gain_12;
     P[55] = P[55] - c_5*gain_5;
     P[56] = P[56] - c_6*gain_5;
-    P[57] = P[57] - c_7*gain_5;
+    P[57] = P[57] - c_5*gain_7;
     P[58] = P[58] - c_8*gain_5;
     P[59] = P[59] - c_9*gain_5;
     P[60] = P[60] - c_5*gain_10;
     P[61] = P[61] - c_5*gain_11;
     P[62] = P[62] - c_5*gain_12;
     P[63] = P[63] - c_6*gain_6;
-    P[64] = P[64] - c_7*gain_6;
+    P[64] = P[64] - c_6*gain_7;
     P[65] = P[65] - c_8*gain_6;
     P[66] = P[66] - c_9*gain_6;
     P[67] = P[67] - c_6*gain_10;
@@ -583,6 +587,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
         const bicycle_with_accelerometer_population_real ay_learn_slow,
         const bicycle_with_accelerometer_population_real ay_c_6,
         const bicycle_with_accelerometer_population_real ay_c_7,
+        const bicycle_with_accelerometer_population_real ay_learn_beyond,
         const bicycle_with_accelerometer_population_real ay_c_8,
         const bicycle_with_accelerometer_population_real ay_c_9,
         const bicycle_with_accelerometer_population_real ay_c_10,
@@ -599,7 +604,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     const bicycle_with_accelerometer_population_real ay_gain_4 = ay_c_4*ay_learn_seldom;
     const bicycle_with_accelerometer_population_real ay_gain_5 = ay_c_5*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_6 = ay_c_6*ay_learn_slow;
-    const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_slow;
+    const bicycle_with_accelerometer_population_real ay_gain_7 = ay_c_7*ay_learn_beyond;
     const bicycle_with_accelerometer_population_real ay_gain_8 = ay_c_8*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_9 = ay_c_9*ay_learn_slow;
     const bicycle_with_accelerometer_population_real ay_gain_10 = ay_c_10*ay_inv_spread;
@@ -645,7 +650,7 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     P[37] = P[37] - ay_c_4*ay_gain_3;
     P[38] = P[38] - ay_c_5*ay_gain_3;
     P[39] = P[39] - ay_c_6*ay_gain_3;
-    P[40] = P[40] - ay_c_7*ay_gain_3;
+    P[40] = P[40] - ay_c_3*ay_gain_7;
     P[41] = P[41] - ay_c_8*ay_gain_3;
     P[42] = P[42] - ay_c_9*ay_gain_3;
     P[43] = P[43] - ay_c_3*ay_gain_10;
@@ -662,14 +667,14 @@ SIMILITUDE_PART void bicycle_with_accelerometer_population_correct_by_ay(
     P[54] = P[54] - ay_c_4*ay_gain_12;
     P[55] = P[55] - ay_c_5*ay_gain_5;
     P[56] = P[56] - ay_c_6*ay_gain_5;
-    P[57] = P[57] - ay_c_7*ay_gain_5;
+    P[57] = P[57] - ay_c_5*ay_gain_7;
     P[58] = P[58] - ay_c_8*ay_gain_5;
     P[59] = P[59] - ay_c_9*ay_gain_5;
     P[60] = P[60] - ay_c_5*ay_gain_10;
     P[61] = P[61] - ay_c_5*ay_gain_11;
     P[62] = P[62] - ay_c_5*ay_gain_12;
     P[63] = P[63] - ay_c_6*ay_gain_6;
-    P[64] = P[64] - ay_c_7*ay_gain_6;
+    P[64] = P[64] - ay_c_6*ay_gain_7;
     P[65] = P[65] - ay_c_8*ay_gain_6;
     P[66] = P[66] - ay_c_9*ay_gain_6;
     P[67] = P[67] - ay_c_6*ay_gain_10;
@@ -1077,7 +1082,12 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
             const bicycle_with_accelerometer_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
             state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
-            const bicycle_with_accelerometer_population_real learn = state->excited*inv_spread;
+            const bicycle_with_accelerometer_population_real learn_beyond = state->excited*inv_spread;
+            state->untaught = sample->dt + state->untaught;
+            const bicycle_with_accelerometer_population_real learn = ((config->beyond_time <= state->untaught) || (linear > R(0.5)) ? state->excited*inv_spread : R(0.0)); /* its error there lasts */
+            if (learn > R(0.0)) {
+                state->untaught = R(0.0);
+            }
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const bicycle_with_accelerometer_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
@@ -1093,7 +1103,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
             const bicycle_with_accelerometer_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             move = move + gain_3*innovation;
-            bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_11, c_3, gain_3, innovation);
+            bicycle_with_accelerometer_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, learn_beyond, c_11, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
             const bicycle_with_accelerometer_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));
@@ -1209,6 +1219,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 if (ay_nis > config->outlier_ratio) { /* an outlier counts for less */
                     ay_inv_spread = ay_inv_spread*config->outlier_ratio/ay_nis;
                 }
+                const bicycle_with_accelerometer_population_real ay_learn_beyond = (learn_beyond > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn = (learn > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_slow = (learn_slow > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
                 const bicycle_with_accelerometer_population_real ay_learn_seldom = (learn_seldom > R(0.0) ? ay_inv_spread : R(0.0)); /* where the first may learn */
@@ -1217,7 +1228,7 @@ SIMILITUDE_INLINE int bicycle_with_accelerometer_population_advance(const bicycl
                 const bicycle_with_accelerometer_population_real ay_gained = ay_c_3*ay_gain_3*ay_inv_P; /* share of the variance removed */
                 state->information = state->information + ay_gained*ay_inv_P*(R(1.0) + ay_gained);
                 move = move + ay_gain_3*ay_innovation;
-                bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_c_8, ay_c_9, ay_c_10, ay_c_12, ay_c_3, ay_gain_3, ay_innovation);
+                bicycle_with_accelerometer_population_correct_by_ay(state, ay_by_K, ay_by_eta, ay_by_grip, ay_by_pi1, ay_by_place, ay_by_r_star, ay_by_rho, ay_by_u, ay_by_v_star, u_now, ay_c_0, ay_inv_spread, ay_c_1, ay_c_2, ay_c_4, ay_learn_seldom, ay_c_5, ay_learn_slow, ay_c_6, ay_c_7, ay_learn_beyond, ay_c_8, ay_c_9, ay_c_10, ay_c_12, ay_c_3, ay_gain_3, ay_innovation);
                 const bicycle_with_accelerometer_population_real ay_noise_change = (((R(9.0)) < (ay_nis) ? R(9.0) : ay_nis) - R(1.0))*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
                 state->ay_noise_scale = state->ay_noise_scale*(R(1.0) + ay_noise_change*(R(1.0) + ay_noise_change*(R(0.5) + R(0.16666666666666666)*ay_noise_change)));
                 state->ay_noise_scale = ((state->ay_noise_scale) > (config->ay_noise_scale_low) ? state->ay_noise_scale : config->ay_noise_scale_low);

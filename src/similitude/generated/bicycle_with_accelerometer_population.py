@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'bicycle_with_accelerometer_population'
-OPERATIONS = 2590
+OPERATIONS = 2598
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'place', 'input_scale', 'input_offset', 'output_bias', 'ay_bias')
 REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
@@ -67,6 +67,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
+    ('beyond_time', 's', 'the same beyond the linear range, for all but what bends the model there', 1),
     ('slow_doubt', '-', "share of ln K's variance from learnt constants that is added to it", 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
@@ -123,6 +124,7 @@ STATE = (
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
     ('unlearnt', 's', 'time since the seldom learnt unknowns last learnt anything', 1),
+    ('untaught', 's', 'time since a sample last taught more than grip', 1),
     ('validity', '(m/s^2)^2', 'recent peak of the validity signal, squared', 1),
     ('information', '-', 'information gained about ln K', 1),
     ('last_input', 'rad', 'input of the sample before', 1),
@@ -195,7 +197,7 @@ def init(config):
     r_star_sd = config[47]
     disturbance_floor = config[59]
     disturbance_scale_start = config[63]
-    ay_bias_sd = config[87]
+    ay_bias_sd = config[88]
     v_star = 0.0
     r_star = 0.0
     v_star_plain = 0.0
@@ -346,11 +348,12 @@ def init(config):
     last_input = 0.0
     age = 0.0
     started = 0.0
+    untaught = 0.0
     last_U = 0.0
     ay_bias = 0.0
     ay_activity = 0.0
     input_offset_plain = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, untaught, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -397,28 +400,29 @@ def step(config, state, sample):
     excitation_ratio = config[69]
     excitation_rate = config[70]
     seldom = config[71]
-    slow_doubt = config[72]
-    surprise_rate = config[73]
-    jump_ratio = config[74]
-    surprise_limit = config[75]
-    heard_rate = config[76]
-    faint_drift = config[77]
-    inv_telling = config[78]
-    observed_least = config[79]
-    outlier_ratio = config[80]
-    gap = config[81]
-    input_limit = config[82]
-    output_limit = config[83]
-    signal_limit = config[84]
-    validity_limit = config[85]
-    validity_rate = config[86]
-    ay_bias_drift = config[88]
-    ay_variance = config[89]
-    ay_share = config[90]
-    ay_time = config[91]
-    ay_noise_scale_low = config[92]
-    ay_noise_scale_high = config[93]
-    ay_limit = config[94]
+    beyond_time = config[72]
+    slow_doubt = config[73]
+    surprise_rate = config[74]
+    jump_ratio = config[75]
+    surprise_limit = config[76]
+    heard_rate = config[77]
+    faint_drift = config[78]
+    inv_telling = config[79]
+    observed_least = config[80]
+    outlier_ratio = config[81]
+    gap = config[82]
+    input_limit = config[83]
+    output_limit = config[84]
+    signal_limit = config[85]
+    validity_limit = config[86]
+    validity_rate = config[87]
+    ay_bias_drift = config[89]
+    ay_variance = config[90]
+    ay_share = config[91]
+    ay_time = config[92]
+    ay_noise_scale_low = config[93]
+    ay_noise_scale_high = config[94]
+    ay_limit = config[95]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -544,12 +548,13 @@ def step(config, state, sample):
     excitation = state[117]
     excited = state[118]
     unlearnt = state[119]
-    validity = state[120]
-    information = state[121]
-    last_input = state[122]
-    last_U = state[123]
-    age = state[124]
-    started = state[125]
+    untaught = state[120]
+    validity = state[121]
+    information = state[122]
+    last_input = state[123]
+    last_U = state[124]
+    age = state[125]
+    started = state[126]
     U_now = 0.0
     anew = 0.0
     ay_inv_spread = 0.0
@@ -993,7 +998,11 @@ def step(config, state, sample):
             linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
             surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
-            learn = excited*inv_spread
+            learn_beyond = excited*inv_spread
+            untaught = dt + untaught
+            learn = (excited*inv_spread if (beyond_time <= untaught) or (linear > 0.5) else 0.0)  # its error there lasts
+            if learn > 0.0:
+                untaught = 0.0
             heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
@@ -1024,7 +1033,7 @@ def step(config, state, sample):
             gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
-            gain_7 = c_7*learn_slow
+            gain_7 = c_7*learn_beyond
             gain_8 = c_8*learn_slow
             gain_9 = c_9*learn_slow
             gain_10 = c_10*inv_spread
@@ -1070,7 +1079,7 @@ def step(config, state, sample):
             P_37 = P_37 - c_4*gain_3
             P_38 = P_38 - c_5*gain_3
             P_39 = P_39 - c_6*gain_3
-            P_40 = P_40 - c_7*gain_3
+            P_40 = P_40 - c_3*gain_7
             P_41 = P_41 - c_8*gain_3
             P_42 = P_42 - c_9*gain_3
             P_43 = P_43 - c_3*gain_10
@@ -1087,14 +1096,14 @@ def step(config, state, sample):
             P_54 = P_54 - c_4*gain_12
             P_55 = P_55 - c_5*gain_5
             P_56 = P_56 - c_6*gain_5
-            P_57 = P_57 - c_7*gain_5
+            P_57 = P_57 - c_5*gain_7
             P_58 = P_58 - c_8*gain_5
             P_59 = P_59 - c_9*gain_5
             P_60 = P_60 - c_5*gain_10
             P_61 = P_61 - c_5*gain_11
             P_62 = P_62 - c_5*gain_12
             P_63 = P_63 - c_6*gain_6
-            P_64 = P_64 - c_7*gain_6
+            P_64 = P_64 - c_6*gain_7
             P_65 = P_65 - c_8*gain_6
             P_66 = P_66 - c_9*gain_6
             P_67 = P_67 - c_6*gain_10
@@ -1257,6 +1266,7 @@ def step(config, state, sample):
                 ay_nis = ay_inv_spread*(ay_innovation*ay_innovation)  # normalised innovation squared
                 if ay_nis > outlier_ratio:  # an outlier counts for less
                     ay_inv_spread = ay_inv_spread*outlier_ratio/ay_nis
+                ay_learn_beyond = (ay_inv_spread if learn_beyond > 0.0 else 0.0)  # where the first may learn
                 ay_learn = (ay_inv_spread if learn > 0.0 else 0.0)  # where the first may learn
                 ay_learn_slow = (ay_inv_spread if learn_slow > 0.0 else 0.0)  # where the first may learn
                 ay_learn_seldom = (ay_inv_spread if learn_seldom > 0.0 else 0.0)  # where the first may learn
@@ -1272,7 +1282,7 @@ def step(config, state, sample):
                 ay_gain_4 = ay_c_4*ay_learn_seldom
                 ay_gain_5 = ay_c_5*ay_learn_slow
                 ay_gain_6 = ay_c_6*ay_learn_slow
-                ay_gain_7 = ay_c_7*ay_learn_slow
+                ay_gain_7 = ay_c_7*ay_learn_beyond
                 ay_gain_8 = ay_c_8*ay_learn_slow
                 ay_gain_9 = ay_c_9*ay_learn_slow
                 ay_gain_10 = ay_c_10*ay_inv_spread
@@ -1318,7 +1328,7 @@ def step(config, state, sample):
                 P_37 = P_37 - ay_c_4*ay_gain_3
                 P_38 = P_38 - ay_c_5*ay_gain_3
                 P_39 = P_39 - ay_c_6*ay_gain_3
-                P_40 = P_40 - ay_c_7*ay_gain_3
+                P_40 = P_40 - ay_c_3*ay_gain_7
                 P_41 = P_41 - ay_c_8*ay_gain_3
                 P_42 = P_42 - ay_c_9*ay_gain_3
                 P_43 = P_43 - ay_c_3*ay_gain_10
@@ -1335,14 +1345,14 @@ def step(config, state, sample):
                 P_54 = P_54 - ay_c_4*ay_gain_12
                 P_55 = P_55 - ay_c_5*ay_gain_5
                 P_56 = P_56 - ay_c_6*ay_gain_5
-                P_57 = P_57 - ay_c_7*ay_gain_5
+                P_57 = P_57 - ay_c_5*ay_gain_7
                 P_58 = P_58 - ay_c_8*ay_gain_5
                 P_59 = P_59 - ay_c_9*ay_gain_5
                 P_60 = P_60 - ay_c_5*ay_gain_10
                 P_61 = P_61 - ay_c_5*ay_gain_11
                 P_62 = P_62 - ay_c_5*ay_gain_12
                 P_63 = P_63 - ay_c_6*ay_gain_6
-                P_64 = P_64 - ay_c_7*ay_gain_6
+                P_64 = P_64 - ay_c_6*ay_gain_7
                 P_65 = P_65 - ay_c_8*ay_gain_6
                 P_66 = P_66 - ay_c_9*ay_gain_6
                 P_67 = P_67 - ay_c_6*ay_gain_10
@@ -1467,5 +1477,5 @@ def step(config, state, sample):
     place_now = place
     offset_now = input_offset
     bias_now = output_bias
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, place, input_scale, input_offset, output_bias, ay_bias, ay_activity, ay_noise_scale, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, P_66, P_67, P_68, P_69, P_70, P_71, P_72, P_73, P_74, P_75, P_76, P_77, P_78, P_79, P_80, P_81, P_82, P_83, P_84, P_85, P_86, P_87, P_88, P_89, P_90, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, untaught, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, own_variance, pi1_now, eta_now, rho_now, grip_now, place_now, offset_now, bias_now, noise_now, disturbance_now]

@@ -5,8 +5,8 @@
  *   unknowns: K, pi1, eta, rho, grip
  *   coordinates: v_star, r_star, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias
  *
- * Operations: step 1489 at most, 88 at least (arithmetic, comparisons, selects), init 7.
- * Memory: state 97 reals, configuration 78 reals; no heap, no globals, no libm, C99.
+ * Operations: step 1495 at most, 88 at least (arithmetic, comparisons, selects), init 7.
+ * Memory: state 98 reals, configuration 79 reals; no heap, no globals, no libm, C99.
  * Build with -ffp-contract=off: with it every IEEE-754 target gives the same bits.
  */
 
@@ -108,6 +108,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     saturating_bicycle_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     saturating_bicycle_population_real seldom;       /* [s] least time between samples that the seldom learnt unknowns learn from */
+    saturating_bicycle_population_real beyond_time;  /* [s] the same beyond the linear range, for all but what bends the model there */
     saturating_bicycle_population_real slow_doubt;   /* [-] share of ln K's variance from learnt constants that is added to it */
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
@@ -152,6 +153,7 @@ typedef struct saturating_bicycle_population_state {
     saturating_bicycle_population_real excitation;   /* [(rad/s)^2] mean square sensitivity to the first unknown */
     saturating_bicycle_population_real excited;      /* [-] 1 while the input excites the first unknown, else 0 */
     saturating_bicycle_population_real unlearnt;     /* [s] time since the seldom learnt unknowns last learnt anything */
+    saturating_bicycle_population_real untaught;     /* [s] time since a sample last taught more than grip */
     saturating_bicycle_population_real validity;     /* [(m/s^2)^2] recent peak of the validity signal, squared */
     saturating_bicycle_population_real information;  /* [-] information gained about ln K */
     saturating_bicycle_population_real last_input;   /* [rad] input of the sample before */
@@ -243,6 +245,7 @@ SIMILITUDE_API void saturating_bicycle_population_init(const saturating_bicycle_
     state->last_input = R(0.0);
     state->age = R(0.0);
     state->started = R(0.0);
+    state->untaught = R(0.0);
     state->last_U = R(0.0);
     state->input_offset_plain = R(0.0);
 }
@@ -369,6 +372,7 @@ SIMILITUDE_PART void saturating_bicycle_population_correct(
         const saturating_bicycle_population_real c_1,
         const saturating_bicycle_population_real learn_seldom,
         const saturating_bicycle_population_real learn_slow,
+        const saturating_bicycle_population_real learn_beyond,
         const saturating_bicycle_population_real c_10,
         const saturating_bicycle_population_real c_3,
         const saturating_bicycle_population_real gain_3,
@@ -389,7 +393,7 @@ SIMILITUDE_PART void saturating_bicycle_population_correct(
     const saturating_bicycle_population_real gain_4 = c_4*learn_seldom;
     const saturating_bicycle_population_real gain_5 = c_5*learn_slow;
     const saturating_bicycle_population_real gain_6 = c_6*learn_slow;
-    const saturating_bicycle_population_real gain_7 = c_7*learn_slow;
+    const saturating_bicycle_population_real gain_7 = c_7*learn_beyond;
     const saturating_bicycle_population_real gain_8 = c_8*learn_slow;
     const saturating_bicycle_population_real gain_9 = c_9*inv_spread;
     const saturating_bicycle_population_real gain_10 = c_10*inv_spread;
@@ -427,7 +431,7 @@ SIMILITUDE_PART void saturating_bicycle_population_correct(
     P[31] = P[31] - c_4*gain_3;
     P[32] = P[32] - c_5*gain_3;
     P[33] = P[33] - c_6*gain_3;
-    P[34] = P[34] - c_7*gain_3;
+    P[34] = P[34] - c_3*gain_7;
     P[35] = P[35] - c_8*gain_3;
     P[36] = P[36] - c_3*gain_9;
     P[37] = P[37] - c_3*gain_10;
@@ -440,12 +444,12 @@ SIMILITUDE_PART void saturating_bicycle_population_correct(
     P[44] = P[44] - c_4*gain_10;
     P[45] = P[45] - c_5*gain_5;
     P[46] = P[46] - c_6*gain_5;
-    P[47] = P[47] - c_7*gain_5;
+    P[47] = P[47] - c_5*gain_7;
     P[48] = P[48] - c_8*gain_5;
     P[49] = P[49] - c_5*gain_9;
     P[50] = P[50] - c_5*gain_10;
     P[51] = P[51] - c_6*gain_6;
-    P[52] = P[52] - c_7*gain_6;
+    P[52] = P[52] - c_6*gain_7;
     P[53] = P[53] - c_8*gain_6;
     P[54] = P[54] - c_6*gain_9;
     P[55] = P[55] - c_6*gain_10;
@@ -824,7 +828,12 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real linear = (state->validity < (config->validity_limit*config->validity_limit) ? R(1.0) : R(0.0)); /* 1 in the model's linear range */
             const saturating_bicycle_population_real odd = ((R(9.0)) < (nis) ? R(9.0) : nis) - R(1.0); /* by how much it is not as expected */
             state->surprise = state->surprise + (R(1.0) + linear*odd - state->surprise)*((R(1.0)) < (sample->dt*config->surprise_rate) ? R(1.0) : sample->dt*config->surprise_rate); /* recent mean of the normalised innovation squared */
-            const saturating_bicycle_population_real learn = state->excited*inv_spread;
+            const saturating_bicycle_population_real learn_beyond = state->excited*inv_spread;
+            state->untaught = sample->dt + state->untaught;
+            const saturating_bicycle_population_real learn = ((config->beyond_time <= state->untaught) || (linear > R(0.5)) ? state->excited*inv_spread : R(0.0)); /* its error there lasts */
+            if (learn > R(0.0)) {
+                state->untaught = R(0.0);
+            }
             state->heard = state->heard*(R(1.0) - ((R(1.0)) < (sample->dt*config->heard_rate) ? R(1.0) : sample->dt*config->heard_rate)) + inv_spread*(sensitivity*sensitivity); /* information of late */
             const saturating_bicycle_population_real above = state->surprise - R(1.0);
             state->restlessness = state->restlessness + ((above*above) - state->restlessness)*((R(1.0)) < (sample->dt*config->noise_adapt) ? R(1.0) : sample->dt*config->noise_adapt);
@@ -840,7 +849,7 @@ SIMILITUDE_INLINE int saturating_bicycle_population_advance(const saturating_bic
             const saturating_bicycle_population_real gained = c_3*gain_3*inv_P; /* share of the variance removed */
             state->information = state->information + gained*inv_P*(R(1.0) + gained); /* 1/variance gained */
             move = move + gain_3*innovation;
-            saturating_bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, c_10, c_3, gain_3, innovation);
+            saturating_bicycle_population_correct(state, output_scale, inv_spread, c_1, learn_seldom, learn_slow, learn_beyond, c_10, c_3, gain_3, innovation);
             state->settling = ((config->noise_adapt) > (state->settling - sample->dt*(state->settling*state->settling)) ? config->noise_adapt : state->settling - sample->dt*(state->settling*state->settling)); /* 1/time at first */
             const saturating_bicycle_population_real noise_change = odd*((R(0.05)) < (sample->dt*state->settling) ? R(0.05) : sample->dt*state->settling);
             state->noise_scale = state->noise_scale*(R(1.0) + noise_change*(R(1.0) + noise_change*(R(0.5) + R(0.16666666666666666)*noise_change)));

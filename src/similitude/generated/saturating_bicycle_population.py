@@ -9,7 +9,7 @@ The twin does the operations of the C file in the same order, about a hundred ti
 """
 
 NAME = 'saturating_bicycle_population'
-OPERATIONS = 1489
+OPERATIONS = 1495
 STATUS = {'ok': 0, 'not_excited': 1, 'outside_linear': 2, 'at_limit': 3, 'no_measurement': 4, 'restarted': 5, 'too_slow': 6, 'bad_sample': 7}
 COORDINATES = ('v_star', 'r_star', 'disturbance', 'K', 'pi1', 'eta', 'rho', 'grip', 'input_scale', 'input_offset', 'output_bias')
 REPORTS = False  # outputs are worked out when they are asked for, by a function of their own
@@ -64,6 +64,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
+    ('beyond_time', 's', 'the same beyond the linear range, for all but what bends the model there', 1),
     ('slow_doubt', '-', "share of ln K's variance from learnt constants that is added to it", 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),
@@ -108,6 +109,7 @@ STATE = (
     ('excitation', '(rad/s)^2', 'mean square sensitivity to the first unknown', 1),
     ('excited', '-', '1 while the input excites the first unknown, else 0', 1),
     ('unlearnt', 's', 'time since the seldom learnt unknowns last learnt anything', 1),
+    ('untaught', 's', 'time since a sample last taught more than grip', 1),
     ('validity', '(m/s^2)^2', 'recent peak of the validity signal, squared', 1),
     ('information', '-', 'information gained about ln K', 1),
     ('last_input', 'rad', 'input of the sample before', 1),
@@ -287,9 +289,10 @@ def init(config):
     last_input = 0.0
     age = 0.0
     started = 0.0
+    untaught = 0.0
     last_U = 0.0
     input_offset_plain = 0.0
-    return [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    return [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, untaught, validity, information, last_input, last_U, age, started]
 
 
 def step(config, state, sample):
@@ -334,21 +337,22 @@ def step(config, state, sample):
     excitation_ratio = config[60]
     excitation_rate = config[61]
     seldom = config[62]
-    slow_doubt = config[63]
-    surprise_rate = config[64]
-    jump_ratio = config[65]
-    surprise_limit = config[66]
-    heard_rate = config[67]
-    faint_drift = config[68]
-    inv_telling = config[69]
-    observed_least = config[70]
-    outlier_ratio = config[71]
-    gap = config[72]
-    input_limit = config[73]
-    output_limit = config[74]
-    signal_limit = config[75]
-    validity_limit = config[76]
-    validity_rate = config[77]
+    beyond_time = config[63]
+    slow_doubt = config[64]
+    surprise_rate = config[65]
+    jump_ratio = config[66]
+    surprise_limit = config[67]
+    heard_rate = config[68]
+    faint_drift = config[69]
+    inv_telling = config[70]
+    observed_least = config[71]
+    outlier_ratio = config[72]
+    gap = config[73]
+    input_limit = config[74]
+    output_limit = config[75]
+    signal_limit = config[76]
+    validity_limit = config[77]
+    validity_rate = config[78]
     dt = sample[0]
     input = sample[1]
     U = sample[2]
@@ -444,12 +448,13 @@ def step(config, state, sample):
     excitation = state[88]
     excited = state[89]
     unlearnt = state[90]
-    validity = state[91]
-    information = state[92]
-    last_input = state[93]
-    last_U = state[94]
-    age = state[95]
-    started = state[96]
+    untaught = state[91]
+    validity = state[92]
+    information = state[93]
+    last_input = state[94]
+    last_U = state[95]
+    age = state[96]
+    started = state[97]
     U_now = 0.0
     anew = 0.0
     bias_now = 0.0
@@ -863,7 +868,11 @@ def step(config, state, sample):
             linear = (1.0 if validity < (validity_limit*validity_limit) else 0.0)  # 1 in the model's linear range
             odd = (9.0 if (9.0) < (nis) else nis) - 1.0  # by how much it is not as expected
             surprise = surprise + (1.0 + linear*odd - surprise)*(1.0 if (1.0) < (dt*surprise_rate) else dt*surprise_rate)  # recent mean of the normalised innovation squared
-            learn = excited*inv_spread
+            learn_beyond = excited*inv_spread
+            untaught = dt + untaught
+            learn = (excited*inv_spread if (beyond_time <= untaught) or (linear > 0.5) else 0.0)  # its error there lasts
+            if learn > 0.0:
+                untaught = 0.0
             heard = heard*(1.0 - (1.0 if (1.0) < (dt*heard_rate) else dt*heard_rate)) + inv_spread*(sensitivity*sensitivity)  # information of late
             above = surprise - 1.0
             restlessness = restlessness + ((above*above) - restlessness)*(1.0 if (1.0) < (dt*noise_adapt) else dt*noise_adapt)
@@ -892,7 +901,7 @@ def step(config, state, sample):
             gain_4 = c_4*learn_seldom
             gain_5 = c_5*learn_slow
             gain_6 = c_6*learn_slow
-            gain_7 = c_7*learn_slow
+            gain_7 = c_7*learn_beyond
             gain_8 = c_8*learn_slow
             gain_9 = c_9*inv_spread
             gain_10 = c_10*inv_spread
@@ -930,7 +939,7 @@ def step(config, state, sample):
             P_31 = P_31 - c_4*gain_3
             P_32 = P_32 - c_5*gain_3
             P_33 = P_33 - c_6*gain_3
-            P_34 = P_34 - c_7*gain_3
+            P_34 = P_34 - c_3*gain_7
             P_35 = P_35 - c_8*gain_3
             P_36 = P_36 - c_3*gain_9
             P_37 = P_37 - c_3*gain_10
@@ -943,12 +952,12 @@ def step(config, state, sample):
             P_44 = P_44 - c_4*gain_10
             P_45 = P_45 - c_5*gain_5
             P_46 = P_46 - c_6*gain_5
-            P_47 = P_47 - c_7*gain_5
+            P_47 = P_47 - c_5*gain_7
             P_48 = P_48 - c_8*gain_5
             P_49 = P_49 - c_5*gain_9
             P_50 = P_50 - c_5*gain_10
             P_51 = P_51 - c_6*gain_6
-            P_52 = P_52 - c_7*gain_6
+            P_52 = P_52 - c_6*gain_7
             P_53 = P_53 - c_8*gain_6
             P_54 = P_54 - c_6*gain_9
             P_55 = P_55 - c_6*gain_10
@@ -1056,5 +1065,5 @@ def step(config, state, sample):
     grip_now = grip
     offset_now = input_offset
     bias_now = output_bias
-    state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, validity, information, last_input, last_U, age, started]
+    state[:] = [v_star, r_star, v_star_plain, r_star_plain, input_offset_plain, disturbance, K, pi1, eta, rho, grip, input_scale, input_offset, output_bias, P_0, P_1, P_2, P_3, P_4, P_5, P_6, P_7, P_8, P_9, P_10, P_11, P_12, P_13, P_14, P_15, P_16, P_17, P_18, P_19, P_20, P_21, P_22, P_23, P_24, P_25, P_26, P_27, P_28, P_29, P_30, P_31, P_32, P_33, P_34, P_35, P_36, P_37, P_38, P_39, P_40, P_41, P_42, P_43, P_44, P_45, P_46, P_47, P_48, P_49, P_50, P_51, P_52, P_53, P_54, P_55, P_56, P_57, P_58, P_59, P_60, P_61, P_62, P_63, P_64, P_65, noise_scale, disturbance_scale, activity, settling, restlessness, jump, surprise, heard, excitation, excited, unlearnt, untaught, validity, information, last_input, last_U, age, started]
     return int(status), [estimate, variance, predicted, innovation, innovation_variance, information_gained, own_variance, pi1_now, eta_now, rho_now, grip_now, offset_now, bias_now, noise_now, disturbance_now]

@@ -64,7 +64,7 @@ def saturating_bicycle_reduction() -> Reduction:
         groups=saturating_bicycle_groups(),
         unknowns=(
             *linear.unknowns,
-            Unknown("grip", "m/s^2", "log", "estimate", "mu g, greatest lateral acceleration"),
+            Unknown("grip", "m/s^2", "log", "beyond", "mu g, greatest lateral acceleration"),
         ),
         substitution={**linear.substitution, "pi6": grip * L / U**2},
         live=linear.live,
