@@ -86,6 +86,7 @@ def main() -> None:
         "K",
         "width / fit's",
         "halves",
+        "their fits",
         "apart",
         "beyond 0.3 g",
         "moved by visits",
@@ -108,13 +109,14 @@ def main() -> None:
             f"{run.K.value:.3g} ± {100 * run.trace.ln_K_std[-1]:.0f} %",
             f"{width:.2f}",
             f"{one.first.K.value:.3g}, {one.second.K.value:.3g}",
+            f"{one.first.batch.K.value:.3g}, {one.second.batch.K.value:.3g}",
             f"{one.halves_apart:.2f}",
             f"{100 * beyond:.0f} %",
             " ".join(f"{z:+.1f}" for z in one.visits),
         )
     geometric = np.exp(np.mean(np.log(ratios), axis=0))
     ahead.add_row("geometric mean", *[""] * 4, *(f"{x:.2f}" for x in geometric))
-    console = Console(width=120)
+    console = Console(width=132)
     console.print(ahead)
     console.print(found)
     console.print("apart: over the sum of both 95 % half-widths; moved: ln K before and 2 s after, in sd")
