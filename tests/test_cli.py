@@ -221,8 +221,9 @@ def test_the_report_loads_neither_pyplot_nor_symbolic_algebra():
 def test_a_run_that_is_stopped_while_writing_leaves_nothing(tmp_path, killed_by):
     process = _python(
         f"""
-        import sys, time
+        import signal, sys, time
         from types import SimpleNamespace as Fake
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # which what runs behind a shell ignores
         sys.path.insert(0, {str(HERE / "report")!r})
         from example_run import example_run
         def slow(run, path):

@@ -50,7 +50,8 @@ def check_rows_of_a_time_response(data):
 
 def check_rows_of_linear_responses(data):
     model = data.draw(models(linear=True))
-    values = data.draw(values_of(model))
+    drawn = data.draw(values_of(model))
+    values = {n: v * (1 + k / 97) for k, (n, v) in enumerate(drawn.items())}  # a double pole has no slope
     more = {"frequency": {"s": 1.3j}, "z": {"z": 0.3 + 0.8j, "Ts": 0.1}, "poles": {}, "zeros": {}}
     for kind, at in more.items():
         rows = invariances(model, response=kind)
