@@ -21,7 +21,7 @@ NO_LAG = Uncertain(0.0, None, "s")
 
 def fitted(log, *, start=None, scales=SMALL, **more):
     one = frozen(log, **{"lag": NO_LAG, **more})
-    return fit_batch(one, one.coordinates(one.prior.mean) if start is None else start(one), scales)
+    return fit_batch(one, one.middle if start is None else start(one), scales)
 
 
 def with_known(prior, *names, sd=1e-5):
@@ -79,7 +79,7 @@ def _output_error(log):
 def test_it_does_not_matter_where_it_starts(K):
     log = drive(seconds=40, K=K)
     ends = [
-        fitted(log, start=lambda one, f=f: one.coordinates(one.prior.mean) + np.array([f, 0, 0, 0, 0, 0]))
+        fitted(log, start=lambda one, f=f: one.middle + np.array([f, 0, 0, 0, 0, 0]))
         for f in (-0.7, 0.0, 0.7)
     ]
     for end in ends:

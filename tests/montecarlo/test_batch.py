@@ -37,7 +37,7 @@ def fits(cars, lag):
             log_of_car(cars, i), prior, L=cars.L[i], noise_std=NOISE, input_scale_sd=0.02
         )
         frozen = FrozenFilter(replace(setup, library=shipped(LINEAR)), joint)
-        yield fit_batch(frozen, frozen.coordinates(joint.mean), np.log([1.0, 0.02]))
+        yield fit_batch(frozen, frozen.middle, np.log([1.0, 0.02]))
 
 
 @cache
