@@ -46,10 +46,11 @@ SIDEWAYS = {"ay_bias": "m/s^2", "place": "-"}  # of the accelerometer's filter
 def identify_population(log: Log, vehicle: Vehicle, state: SavedState | None = None) -> Run:
     """Run the population filter over a log; see `similitude.identification.identify`."""
     ready = prepare(log, vehicle, state.settings if state else None)
-    if state is None:
+    batch = None
+    if ready.setup.library.c is not None and state is None:
         ready, batch = with_whole_log(ready)
-    else:
-        batch = whole_log(ready, ready.setup.run()) if ready.setup.library.c is not None else None
+    elif ready.setup.library.c is not None:
+        batch = whole_log(ready, ready.setup.run())
     prior, scan = ready.prior, ready.scan
     accelerometer, unused = find_accelerometer(log, vehicle)
     setup = ready.setup.with_accelerometer(accelerometer) if accelerometer else ready.setup

@@ -95,14 +95,11 @@ def _as_before(
     return Prepared(vehicle, prior, noise, setup, scan, is_command(scan, vehicle), held)
 
 
-def with_whole_log(ready: Prepared) -> tuple[Prepared, BatchFit | None]:
+def with_whole_log(ready: Prepared) -> tuple[Prepared, BatchFit]:
     """A log ready for the filter once its whole-log fit has been asked for the lag, and that fit.
 
-    A steer that acts later than a measured wheel can is a command, and is fitted as one. Without a C compiler
-    there is no fit.
+    A steer that acts later than a measured wheel can is a command, and is fitted as one.
     """
-    if ready.setup.library.c is None:
-        return ready, None
     batch = whole_log(ready, ready.setup.run())
     fitted = with_fitted_lag(ready, batch)
     if fitted.setup.lag < COMMAND or fitted is ready or ready.vehicle.steer is not None:
