@@ -35,6 +35,7 @@ FAULTS = {  # status to (colour, words); in this order where several share a pla
     "too_slow": ("#7d8fa3", "too slow"),
 }
 ENOUGH = 1.0 / 0.15**2  # information at which sd(ln K) is 15 %, the limit for "identified" [-]
+A_LINE = 4  # names of a legend; five of the longest run out of the picture
 
 
 def estimate_panel(axes: Axes, run: Run, t: np.ndarray) -> None:
@@ -214,7 +215,7 @@ def _readable_log_ticks(axes: Axes, low: float, high: float) -> None:
 
 def _legend(axes: Axes, handles: list) -> None:
     axes.legend(
-        handles=handles, loc="upper left", ncols=len(handles), fontsize=8.5, labelcolor=INK,
+        handles=handles, loc="upper left", ncols=min(len(handles), A_LINE), fontsize=8.5, labelcolor=INK,
         frameon=True, framealpha=0.85, edgecolor="none", facecolor="white", borderpad=0.25,
         handlelength=1.5, columnspacing=1.6, handletextpad=0.6, borderaxespad=0.35,
     ).set_zorder(6)  # fmt: skip
