@@ -4,9 +4,13 @@ What a folder derives, drives or fits once then serves all of its tests, and no 
 processors idle. Files of no folder are shared out one by one.
 """
 
+import os
 from collections import Counter
 
 import pytest
+
+# Before NumPy: each process has a processor to itself, and small matrices wait for threads that have none.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
 def together(nodeid):

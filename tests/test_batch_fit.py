@@ -8,6 +8,7 @@ from scipy.optimize import least_squares
 
 from similitude import batch_fit
 from similitude.batch_fit import bounded_step, climb_roughly, fit_batch
+from similitude.speed_unit_doubt import ROUGH
 from similitude.units import Uncertain
 
 from .filter_rig import CAR as PRIOR
@@ -197,7 +198,7 @@ def test_a_long_log_loses_next_to_nothing_by_its_means():
 @pytest.mark.parametrize("seed", range(3))
 def test_a_rough_climb_ends_near_the_fit_and_no_other_car_costs_less(seed):
     found = fitted(drive(seconds=60, seed=seed))
-    middle = found.frozen.coordinates(found.frozen.prior.mean)
+    middle = found.frozen.middle
 
     x, cost = climb_roughly(found.frozen, middle, found.scales)
     again, lowest = climb_roughly(found.frozen, found.x, found.scales)
@@ -206,7 +207,8 @@ def test_a_rough_climb_ends_near_the_fit_and_no_other_car_costs_less(seed):
     assert (
         away @ np.linalg.solve(found.covariance, away) < 6
     )  # 6 coordinates: as far as chance puts the truth
-    assert cost == pytest.approx(lowest, abs=0.1)  # wherever it starts
+    # wherever it starts; two such costs are compared, and the climb forgets how variances move with the car
+    assert cost == pytest.approx(lowest, abs=ROUGH / 2)
     assert again == pytest.approx(x, abs=found.std.max())
 
 

@@ -48,6 +48,32 @@ def test_a_lag_between_rows_lies_on_the_straight_line(log):
     assert np.allclose(steer[2:], expected, rtol=0, atol=1e-12)
 
 
+def test_a_log_of_too_few_rows_stays_as_it_is_at_a_lower_rate():
+    setup = setup_of(drive(seconds=5, rate=50))
+    assert setup.at_rate(50.0) is setup
+    assert setup.at_rate(26.0) is setup
+    half = setup.at_rate(25.0)
+    assert half.log.samples == setup.log.samples // 2
+    assert half.at_rate(25.0) is half
+
+
+@pytest.mark.parametrize("lag", [-0.01, 0.001, 0.009, 0.01, 0.02, 0.031])
+def test_what_acts_in_means_is_the_mean_of_what_acts(log, lag):
+    """Half-way between two means a line is flatter than at its ends: no lag may gain by that."""
+    late = log.delta.copy()
+    late[:] = np.interp(log.t - lag, log.t, log.delta)
+    shifted = setup_of(log_of(log.t, late, log.r, log.U)).at_rate(25.0)
+    steer = setup_of(log).at_rate(25.0).with_lag(lag, 0.02).samples()[:, 1]
+    assert steer == pytest.approx(shifted.samples()[:, 1], abs=1e-15)
+
+
+def test_means_of_means_are_those_of_the_whole_log(log):
+    fewer = setup_of(log).at_rate(50.0)
+    once, twice = (setup.at_rate(12.5).with_lag(0.013, 0.02) for setup in (setup_of(log), fewer))
+    assert np.array_equal(once.samples(), twice.samples())
+    assert twice.noise_std == pytest.approx(once.noise_std)
+
+
 def test_without_a_lag_a_missing_steer_is_missing(log):
     holed = spoilt(log, delta=[3, 4, 500])
     assert np.flatnonzero(np.isnan(setup_of(holed).samples()[:, 1])).tolist() == [3, 4, 500]

@@ -7,7 +7,8 @@ steer to steer, which flatten its waves: the means are raised by as much.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,28 +16,48 @@ from numpy.typing import NDArray
 from similitude.log import Log
 
 
-def coarse_log(log: Log, rate: float) -> Log:
-    """The log at a given number of rows a second [Hz]; itself where it has less than twice as many.
+@dataclass(frozen=True, eq=False)
+class CoarseLog:
+    """A log at a given number of rows a second [Hz], and the whole one behind it.
 
     White noise loses as much as there are fewer rows. A time none of whose rows was logged has no row.
     """
-    if log.rate < 2 * rate * 0.999:
-        return log
-    cell = np.floor((log.t - log.t[0]) * rate + 1e-6)
-    first = np.flatnonzero(np.diff(cell, prepend=-1.0) > 0)
-    count = np.diff(np.append(first, log.samples))
 
-    def means(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    whole: Log
+    rate: float
+
+    @cached_property
+    def _first(self) -> NDArray[np.intp]:
+        """The first of the rows that make each coarse one, (m,)."""
+        t = self.whole.t
+        cell = np.floor((t - t[0]) * self.rate + 1e-6)
+        return np.flatnonzero(np.diff(cell, prepend=-1.0) > 0)
+
+    @cached_property
+    def _alone(self) -> NDArray[np.bool_]:
+        """Coarse rows next to a pause, beyond which lies another stretch of road, (m,)."""
+        pause = np.diff(self._means(self.whole.t)) > 1.5 / self.rate
+        return np.append(pause, False) | np.insert(pause, 0, False)
+
+    def _means(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         known = np.isfinite(values)
-        measured = np.add.reduceat(known.astype(float), first)
-        total = np.add.reduceat(np.where(known, values, 0.0), first)
+        count = np.diff(np.append(self._first, self.whole.samples))
+        measured = np.add.reduceat(known.astype(float), self._first)
+        total = np.add.reduceat(np.where(known, values, 0.0), self._first)
         return np.where(2 * measured >= count, total / np.maximum(measured, 1), np.nan)
 
-    columns = {name: means(getattr(log, name)) for name in ("t", "delta", "r", "U")}
-    pause = np.diff(columns["t"]) > 1.5 / rate  # beyond it lies another stretch of road
-    alone = np.append(pause, False) | np.insert(pause, 0, False)
-    columns["delta"] = np.where(alone, columns["delta"], lines_of_means(columns["delta"]))
-    return replace(log, ay=None if log.ay is None else means(log.ay), **columns)
+    def steer(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Coarse steer (m,) of one for every row of the whole log, (n,) [rad]."""
+        means = self._means(values)
+        return np.where(self._alone, means, lines_of_means(means))
+
+    @cached_property
+    def log(self) -> Log:
+        """The means."""
+        columns = {name: self._means(getattr(self.whole, name)) for name in ("t", "r", "U")}
+        columns["delta"] = self.steer(self.whole.delta)
+        ay = None if self.whole.ay is None else self._means(self.whole.ay)
+        return replace(self.whole, ay=ay, **columns)
 
 
 def lines_of_means(means: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from similitude.accelerometer import Accelerometer
-from similitude.coarse_log import coarse_log
+from similitude.coarse_log import CoarseLog
 from similitude.filter_config import filter_config
 from similitude.log import Log
 from similitude.population import Prior
@@ -48,6 +48,7 @@ class Setup:
     accelerometer: Accelerometer | None = None
     first_step: float | None = None  # s from the last row of an earlier log
     tail: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None  # its last times [s] and steer [rad]
+    coarse: CoarseLog | None = None  # whose means the log is, if it is
 
     @cached_property
     def dt(self) -> NDArray[np.float64]:
@@ -69,22 +70,41 @@ class Setup:
 
     def _acting_steer(self) -> NDArray[np.float64]:
         """Steer of a lag ago behind the servo, (n,) [rad]; a long hole stays missing, a short is bridged."""
-        t, steer = self.log.t, self.log.delta
-        known = np.flatnonzero(np.isfinite(steer))
+        log = self.log if self.coarse is None else self.coarse.whole
+        known = np.flatnonzero(np.isfinite(log.delta))
         if (self.lag == 0 and self.servo.is_none) or known.size < 2:
-            return steer
-        there, angle = t[known], steer[known]
+            return self.log.delta
+        there, angle = log.t[known], log.delta[known]
         if self.tail is not None:
             there, angle = np.concatenate([self.tail[0], there]), np.concatenate([self.tail[1], angle])
-        before = t[:0] if self.servo.is_none else there[there + self.lag < t[0]] + self.lag
-        at = np.concatenate([before, t])
-        acting = self.servo.follow(at, np.interp(at - self.lag, there, angle))[before.size :]
+        late = self._late(log, there, angle)
+        return late if self.servo.is_none else self._behind_servo(late, there, angle)
+
+    def _late(self, log: Log, there: NDArray[np.float64], angle: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Steer of a lag ago at the filter's rows, (n,) [rad], from its readings and those before them.
+
+        What is averaged is late, not late what was averaged: a line between two means is flatter half-way
+        than at its ends, and the log would speak for lags of whole rows.
+        """
+        late = np.interp(log.t - self.lag, there, angle)
         gaps = np.diff(there)
-        if not (gaps > BRIDGED).any():
-            return acting
-        wide = gaps > max(BRIDGED, 3 * self.usual_step)
-        before = np.clip(np.searchsorted(there, t - self.lag), 1, there.size - 1) - 1
-        return np.where(wide[before], np.nan, acting)
+        if (gaps > BRIDGED).any():
+            wide = gaps > max(BRIDGED, 3 * log.usual_step)
+            before = np.clip(np.searchsorted(there, log.t - self.lag), 1, there.size - 1) - 1
+            late[wide[before]] = np.nan
+        return late if self.coarse is None else self.coarse.steer(late)
+
+    def _behind_servo(
+        self, late: NDArray[np.float64], there: NDArray[np.float64], angle: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """What the servo makes of it, (n,) [rad]; it came from what was told before the first row."""
+        known = np.isfinite(late)
+        early = there + self.lag < self.log.t[0]
+        at = np.concatenate([there[early] + self.lag, self.log.t[known]])
+        told = np.concatenate([angle[early], late[known]])
+        acting = np.full(late.size, np.nan)
+        acting[known] = self.servo.follow(at, told)[early.sum() :]
+        return acting
 
     def config(self, **changes: float) -> NDArray[np.float64]:
         """The filter's configuration; ``changes`` replaces design constants by name."""
@@ -107,9 +127,12 @@ class Setup:
 
     def at_rate(self, rate: float) -> Setup:
         """The same over the log's means at so many rows a second [Hz], where it has twice as many."""
-        log = coarse_log(bridged(self.log), rate)
+        if self.log.rate < 2 * rate * 0.999:
+            return self
+        coarse = CoarseLog(bridged(self.log) if self.coarse is None else self.coarse.whole, rate)
         measured = max(int(np.isfinite(self.log.r).sum()), 1)
-        return replace(self, log=log, noise_std=self.noise_std * float(np.sqrt(log.samples / measured)))
+        noise_std = self.noise_std * float(np.sqrt(coarse.log.samples / measured))
+        return replace(self, log=coarse.log, coarse=coarse, noise_std=noise_std)
 
     def with_accelerometer(self, accelerometer: Accelerometer) -> Setup:
         """The same with the filter that takes lateral acceleration."""

@@ -161,7 +161,7 @@ def _most_steered(log: Log) -> Log:
 
 
 def _loss(one: Whitened) -> np.ndarray:
-    """Negative log likelihood of each row, an innovation beyond four sd as in the fit, (n,)."""
+    """Negative log likelihood of each row, an innovation beyond three sd as in the fit, (n,)."""
     size = one.e**2 / one.S
     beyond = np.maximum(size, OUTLIER)
     return 0.5 * (np.minimum(size, OUTLIER) + OUTLIER * np.log(beyond / OUTLIER) + np.log(one.S))
