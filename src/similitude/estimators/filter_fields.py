@@ -208,7 +208,9 @@ def config_fields(layout: Layout) -> tuple[Field, ...]:
         *_if(
             bool(layout.beyond),
             Field(
-                "beyond_time", "s", "the same beyond the linear range, for all but what bends the model there"
+                "beyond_time",
+                "s",
+                f"beyond the linear range all but {', '.join(layout.beyond)} learn so seldom",
             ),
         ),
         *_if(

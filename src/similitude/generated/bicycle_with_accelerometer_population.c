@@ -111,7 +111,7 @@ typedef struct bicycle_with_accelerometer_population_config {
     bicycle_with_accelerometer_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     bicycle_with_accelerometer_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     bicycle_with_accelerometer_population_real seldom; /* [s] least time between samples that the seldom learnt unknowns learn from */
-    bicycle_with_accelerometer_population_real beyond_time; /* [s] the same beyond the linear range, for all but what bends the model there */
+    bicycle_with_accelerometer_population_real beyond_time; /* [s] beyond the linear range all but grip learn so seldom */
     bicycle_with_accelerometer_population_real slow_doubt; /* [-] share of ln K's variance from learnt constants that is added to it */
     bicycle_with_accelerometer_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     bicycle_with_accelerometer_population_real jump_ratio; /* [-] squared surprise against its long-run mean that speaks of a jump */

@@ -67,7 +67,7 @@ CONFIG = (
     ('excitation_ratio', '-', 'least variance of sensitivity against noise to learn from', 1),
     ('excitation_rate', '1/s', 'averaging rate of the excitation', 1),
     ('seldom', 's', 'least time between samples that the seldom learnt unknowns learn from', 1),
-    ('beyond_time', 's', 'the same beyond the linear range, for all but what bends the model there', 1),
+    ('beyond_time', 's', 'beyond the linear range all but grip learn so seldom', 1),
     ('slow_doubt', '-', "share of ln K's variance from learnt constants that is added to it", 1),
     ('surprise_rate', '1/s', 'averaging rate of the normalised innovation', 1),
     ('jump_ratio', '-', 'squared surprise against its long-run mean that speaks of a jump', 1),

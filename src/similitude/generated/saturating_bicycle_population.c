@@ -108,7 +108,7 @@ typedef struct saturating_bicycle_population_config {
     saturating_bicycle_population_real excitation_ratio; /* [-] least variance of sensitivity against noise to learn from */
     saturating_bicycle_population_real excitation_rate; /* [1/s] averaging rate of the excitation */
     saturating_bicycle_population_real seldom;       /* [s] least time between samples that the seldom learnt unknowns learn from */
-    saturating_bicycle_population_real beyond_time;  /* [s] the same beyond the linear range, for all but what bends the model there */
+    saturating_bicycle_population_real beyond_time;  /* [s] beyond the linear range all but grip learn so seldom */
     saturating_bicycle_population_real slow_doubt;   /* [-] share of ln K's variance from learnt constants that is added to it */
     saturating_bicycle_population_real surprise_rate; /* [1/s] averaging rate of the normalised innovation */
     saturating_bicycle_population_real jump_ratio;   /* [-] squared surprise against its long-run mean that speaks of a jump */
