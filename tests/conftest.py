@@ -10,7 +10,7 @@ from collections import Counter
 import pytest
 
 # Before NumPy: each process has a processor to itself, and small matrices wait for threads that have none.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 
 def together(nodeid):

@@ -1,11 +1,15 @@
 """One pass over a log: what the step is fed, and what can be read off afterwards."""
 
 import dataclasses
+import os
+import subprocess
+import sys
 import threading
 
 import numpy as np
 import pytest
 
+from similitude import filter_run
 from similitude.filter_config import DESIGN
 from similitude.filter_run import BRIDGED, FEW, coordinates, population_setup, side_by_side
 from similitude.status import STATUS
@@ -182,9 +186,28 @@ def scaled_design(s):
     return scaled
 
 
+@pytest.mark.parametrize("workers", [1, 2])
 @pytest.mark.parametrize("rows", [FEW - 1, FEW])
-def test_passes_are_handed_back_in_their_order_by_threads_or_without(rows):
+def test_passes_are_handed_back_in_their_order_by_threads_or_without(rows, workers, monkeypatch):
+    monkeypatch.setattr(filter_run, "WORKERS", workers)
     here = threading.get_ident()
     found = side_by_side([lambda i=i: (i, threading.get_ident()) for i in range(5)], rows=rows)
     assert [i for i, _ in found] == [0, 1, 2, 3, 4]
-    assert all((where == here) == (rows < FEW) for _, where in found)
+    assert all((where == here) == (rows < FEW or workers == 1) for _, where in found)
+
+
+def test_passes_side_by_side_do_not_disturb_each_other(monkeypatch):
+    monkeypatch.setattr(filter_run, "WORKERS", 2)
+    setups = [setup_of(drive(seconds=60)).with_lag(0.004 * i, 0.02) for i in range(6)]
+    at_once = side_by_side([one.run for one in setups])
+    for one, done in zip(setups, at_once, strict=True):
+        assert np.array_equal(one.run().outputs, done.outputs)
+
+
+@pytest.mark.parametrize(("said", "workers"), [("1", 1), ("2", 2), ("", 2), (None, 2)])
+def test_a_process_that_is_told_it_has_one_processor_takes_no_threads(said, workers):
+    environment = {k: v for k, v in os.environ.items() if k != "OMP_NUM_THREADS"}
+    environment |= {} if said is None else {"OMP_NUM_THREADS": said}
+    line = "from similitude.filter_run import WORKERS; print(WORKERS)"
+    done = subprocess.run([sys.executable, "-c", line], env=environment, capture_output=True, text=True)
+    assert done.stdout.split() == [str(workers)]

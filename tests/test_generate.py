@@ -9,8 +9,13 @@ from similitude.generated import __path__ as generated
 
 
 @pytest.fixture(scope="module")
-def texts():
-    return generate.texts()
+def programs():
+    return generate.shipped()
+
+
+@pytest.fixture(scope="module")
+def texts(programs):
+    return generate.texts(programs)
 
 
 def test_the_committed_files_are_a_fresh_generation(texts):
@@ -36,9 +41,9 @@ def test_nothing_else_lies_beside_them(texts):
     assert str(generate.DIRECTORY) in list(generated)
 
 
-def test_main_writes_every_file(texts, tmp_path, monkeypatch, capsys):
+def test_main_writes_every_file(programs, texts, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(generate, "DIRECTORY", tmp_path)
-    monkeypatch.setattr(generate, "texts", lambda: texts)
+    monkeypatch.setattr(generate, "shipped", lambda: programs)
 
     generate.main()
 
@@ -46,7 +51,7 @@ def test_main_writes_every_file(texts, tmp_path, monkeypatch, capsys):
     assert len(capsys.readouterr().out.splitlines()) == len(texts)
 
 
-def test_every_shipped_program_names_its_source():
-    for program in generate.shipped():
+def test_every_shipped_program_names_its_source(programs):
+    for program in programs:
         assert program.name.isidentifier()
         assert any("Brennan" in line for line in program.provenance)

@@ -60,7 +60,7 @@ def bench(
             read='docs/benchmark.md, "The command"',
         )
     # Before NumPy: cells run side by side, and small matrices gain nothing from threads of their own.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
     from rich.console import Console
 
     from similitude.benchmark.running import run_benchmark

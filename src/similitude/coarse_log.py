@@ -39,9 +39,14 @@ class CoarseLog:
         pause = np.diff(self._means(self.whole.t)) > 1.5 / self.rate
         return np.append(pause, False) | np.insert(pause, 0, False)
 
+    @cached_property
+    def _count(self) -> NDArray[np.intp]:
+        return np.diff(np.append(self._first, self.whole.samples))
+
     def _means(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        known = np.isfinite(values)
-        count = np.diff(np.append(self._first, self.whole.samples))
+        known, count = np.isfinite(values), self._count
+        if known.all():
+            return np.add.reduceat(values, self._first) / count
         measured = np.add.reduceat(known.astype(float), self._first)
         total = np.add.reduceat(np.where(known, values, 0.0), self._first)
         return np.where(2 * measured >= count, total / np.maximum(measured, 1), np.nan)

@@ -6,6 +6,7 @@ scan, the estimate and the predictions use one and the same step.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -28,7 +29,9 @@ POPULATION = "saturating_bicycle_population"
 WITH_ACCELEROMETER = "bicycle_with_accelerometer_population"
 LINEAR = "bicycle_population"  # the same with linear tyres: the whole-log fit's, and the average car's
 BRIDGED = 0.1  # s: hands on a wheel do little in between
-WORKERS = 2  # passes at a time; ctypes lets go of the interpreter while one runs
+# Passes at a time: ctypes lets go of the interpreter while one runs. Where whoever starts the process says
+# that it has one processor, threads would only take turns.
+WORKERS = 1 if os.environ.get("OMP_NUM_THREADS") == "1" else 2
 FEW = 4000  # rows: two milliseconds of the filter
 Found = TypeVar("Found")
 
@@ -206,7 +209,7 @@ def side_by_side(passes: Sequence[Callable[[], Found]], *, rows: int = FEW) -> l
 
     Passes over fewer than `FEW` rows are done one after another: each takes less than a thread does.
     """
-    if rows < FEW:
+    if rows < FEW or WORKERS == 1:
         return [one() for one in passes]
     with ThreadPoolExecutor(WORKERS) as pool:
         return [each.result() for each in [pool.submit(one) for one in passes]]
