@@ -69,7 +69,7 @@ ACCELEROMETER = {
     "ay_bias_sd": 0.436,  # m/s^2: mounting and roll that stays 0.3, a superelevated curve 0.3, wind 0.1
     "ay_bias_drift": 0.0785,  # (m/s^2)^2/s: twice variance over correlation time, of bank 5 s, of wind 0.5 s
     "ay_share": 0.05,  # roll of the body adds gravity, 5 % of what it feels
-    "ay_time": 0.1,  # s: vibration and filters
+    "ay_time": 0.3,  # s: as structure does; after 0.1 a lost half shows up to 5 s late in a car that leans
     "ay_noise_scale_low": 1.0,  # less would undo that: what is alike looks as small as white, and is believed
     "ay_noise_scale_high": 100.0,
     "ay_limit": 60.0,  # m/s^2
