@@ -74,6 +74,8 @@ ACCELEROMETER = {
     "ay_noise_scale_high": 100.0,
     "ay_limit": 60.0,  # m/s^2
 }
+# A small filter knows no scale or offset of the steer angle: ay makes up for it, where it is believed.
+SMALL_ACCELEROMETER = ACCELEROMETER | {"ay_time": 0.1, "ay_noise_scale_low": 0.01}
 GRIP = (GRAVITY, 0.15)  # m/s^2, and sd of its logarithm: dry roads to good tyres; never printed
 LIMIT_SD_TARGET = 3.0  # of the first, with room for a halved stiffness
 ROOM = 0.5  # of ln K
@@ -145,9 +147,10 @@ def _with_accelerometer(
     names = library.names("config")
     if "ay_limit" not in names or accelerometer is None:
         return prior, {}
-    further = {**ACCELEROMETER, "ay_variance": accelerometer.noise**2}
+    white = {"ay_variance": accelerometer.noise**2}
     behind, sd = accelerometer.behind / L, accelerometer.behind_sd / L
     if "place_prior" in names:
-        return prior.beside("place", "linear", behind, sd, "stated"), further
+        return prior.beside("place", "linear", behind, sd, "stated"), ACCELEROMETER | white
     centre = prior.mean[prior.names.index("pi1")]  # a small filter: ahead of it
-    return prior.beside("lead", "linear", centre - behind, sd, "stated", as_of="pi1"), further
+    small = SMALL_ACCELEROMETER | white
+    return prior.beside("lead", "linear", centre - behind, sd, "stated", as_of="pi1"), small
