@@ -78,6 +78,12 @@ def test_means_of_means_are_those_of_the_whole_log(log):
     assert twice.noise_std == pytest.approx(once.noise_std)
 
 
+def test_means_of_a_log_that_was_changed_are_of_the_changed_one(log):
+    fewer = setup_of(log).at_rate(50.0)
+    faster = dataclasses.replace(fewer, log=dataclasses.replace(fewer.log, U=2 * fewer.log.U))
+    assert faster.at_rate(12.5).log.U == pytest.approx(2 * setup_of(log).at_rate(12.5).log.U)
+
+
 def test_without_a_lag_a_missing_steer_is_missing(log):
     holed = spoilt(log, delta=[3, 4, 500])
     assert np.flatnonzero(np.isnan(setup_of(holed).samples()[:, 1])).tolist() == [3, 4, 500]

@@ -132,7 +132,8 @@ class Setup:
         """The same over the log's means at so many rows a second [Hz], where it has twice as many."""
         if self.log.rate < 2 * rate * 0.999:
             return self
-        coarse = CoarseLog(bridged(self.log) if self.coarse is None else self.coarse.whole, rate)
+        untouched = self.coarse is not None and self.log is self.coarse.log
+        coarse = CoarseLog(self.coarse.whole if untouched else bridged(self.log), rate)
         measured = max(int(np.isfinite(self.log.r).sum()), 1)
         noise_std = self.noise_std * float(np.sqrt(coarse.log.samples / measured))
         return replace(self, log=coarse.log, coarse=coarse, noise_std=noise_std)
